@@ -1,0 +1,11 @@
+# Writes OUTPUT, a header with the digest of the sources in FOLDER, only when it changes.
+file(GLOB files ${FOLDER}/*.cpp ${FOLDER}/*.hpp)
+list(SORT files)
+set(digests "")
+foreach(file IN LISTS files)
+    file(SHA1 ${file} digest)
+    string(APPEND digests ${digest})
+endforeach()
+string(SHA1 digest "${digests}")
+string(SUBSTRING ${digest} 0 12 digest)
+file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once\ninline constexpr const char* source_revision = \"${digest}\";\n")
