@@ -1,0 +1,11 @@
+#pragma once
+#include <memory>
+
+#include "common/exact/program/solution.hpp"
+
+/// The solutions that there are, each defined in the file of its name.
+namespace exact::program {
+
+std::unique_ptr<Solution> burgers();
+
+}  // namespace exact::program
