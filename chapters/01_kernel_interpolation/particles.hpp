@@ -1,0 +1,77 @@
+#pragma once
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "common/core/sorted_cells.hpp"
+
+/// The particles that this chapter interpolates from: even, jittered or random points of the periodic unit
+/// box.
+namespace sph {
+
+enum class Arrangement { even, jittered, random };
+
+/// Uniform numbers in [0, 1), the same on every machine (the distributions of the standard library are not).
+class Uniform {
+  public:
+    explicit Uniform(std::uint64_t seed) : bits_{seed} {}
+    double operator()() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
+
+  private:
+    std::mt19937_64 bits_;
+};
+
+/// `per_side`^d points of the box [0, 1)^d: a square lattice (even), the lattice with each coordinate shifted
+/// by a random amount within +-jitter spacings (jittered), or independent uniform points (random). `per_side`
+/// >= 1, `jitter` >= 0 [spacings]. Deterministic for a given `seed`.
+template <int d>
+Columns<d> make_points(Arrangement arrangement, std::size_t per_side, double jitter, std::uint64_t seed) {
+    Uniform uniform{seed};
+    std::size_t n = 1;
+    for (int axis = 0; axis < d; ++axis) n *= per_side;
+    const double spacing = 1.0 / static_cast<double>(per_side);
+    Columns<d> x;
+    for (auto& column : x) column.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        std::size_t rest = i;
+        for (std::size_t axis = 0; axis < d; ++axis) {
+            double c = (static_cast<double>(rest % per_side) + 0.5) * spacing;
+            if (arrangement == Arrangement::jittered) c += jitter * spacing * (2 * uniform() - 1);
+            if (arrangement == Arrangement::random) c = uniform();
+            x[axis][i] = c - std::floor(c);
+            rest /= per_side;
+        }
+    }
+    return x;
+}
+
+/// Points and their periodic images within `reach` of the box [0, 1)^d, so that sums near a face need no
+/// special case. owner[k] is the point that k is an image of. Right for any reach, also beyond the box.
+template <int d>
+struct WithImages {
+    Columns<d> x;
+    std::vector<std::size_t> owner;
+
+    WithImages(Columns<d> points, double reach) : x{std::move(points)}, owner(x[0].size()) {
+        for (std::size_t i = 0; i < owner.size(); ++i) owner[i] = i;
+        for (std::size_t axis = 0; axis < d; ++axis) add_images(axis, reach);
+    }
+
+  private:
+    void add_images(std::size_t axis, double reach) {
+        const std::size_t n = owner.size();
+        const int layers = static_cast<int>(std::ceil(reach));
+        for (int shift = -layers; shift <= layers; ++shift) {
+            if (shift == 0) continue;
+            for (std::size_t i = 0; i < n; ++i) {
+                const double moved = x[axis][i] + shift;
+                if (moved < -reach || moved > 1 + reach) continue;
+                for (std::size_t a = 0; a < d; ++a) x[a].push_back(a == axis ? moved : x[a][i]);
+                owner.push_back(owner[i]);
+            }
+        }
+    }
+};
+
+}  // namespace sph

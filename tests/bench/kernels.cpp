@@ -1,0 +1,123 @@
+#include <Eigen/Core>
+
+#include "chapters/01_kernel_interpolation/interpolation.hpp"
+#include "chapters/01_kernel_interpolation/naive.hpp"
+#include "chapters/01_kernel_interpolation/studies.hpp"
+#include "tests/bench/benches.hpp"
+#include "tests/bench/measure.hpp"
+
+/// The cost of a kernel: nanoseconds a pair for W and F together, in 3D, from distances that lie in the
+/// first-level cache and in random order, as the neighbours of particles come.
+namespace bench {
+namespace {
+
+constexpr std::size_t pairs = 1024;
+
+struct Buffers {
+    std::vector<double> r = std::vector<double>(pairs), W = std::vector<double>(pairs),
+                        F = std::vector<double>(pairs);
+    explicit Buffers(double support) {
+        sph::Uniform uniform{1};
+        for (double& distance : r) distance = support * std::cbrt(uniform());
+    }
+};
+
+/// Whole tiles of Eigen arrays: how this project evaluates kernels.
+template <class K>
+void in_tiles(Buffers& b) {
+    for (std::size_t j = 0; j < pairs; j += sph::tile_width) {
+        const sph::Tile r = Eigen::Map<const sph::Tile>(b.r.data() + j);
+        Eigen::Map<sph::Tile>(b.W.data() + j) = K::W(r, 1.0);
+        Eigen::Map<sph::Tile>(b.F.data() + j) = K::F(r, 1.0);
+    }
+    benchmark_keep(b.W.data());
+    benchmark_keep(b.F.data());
+}
+
+/// One pair after the other; the call is kept out of line, as it is in a loop with other work in it.
+template <class K>
+[[gnu::noinline]] void one_pair(double r, double& W, double& F) {
+    W = K::W(r, 1.0);
+    F = K::F(r, 1.0);
+}
+template <class K>
+void pair_by_pair(Buffers& b) {
+    for (std::size_t j = 0; j < pairs; ++j) one_pair<K>(b.r[j], b.W[j], b.F[j]);
+    benchmark_keep(b.W.data());
+}
+
+/// A plain loop, which the compiler may vectorise if it can.
+template <class K>
+void plain_loop(Buffers& b) {
+    for (std::size_t j = 0; j < pairs; ++j) b.W[j] = K::W(b.r[j], 1.0);
+    for (std::size_t j = 0; j < pairs; ++j) b.F[j] = K::F(b.r[j], 1.0);
+    benchmark_keep(b.W.data());
+}
+
+/// Linear interpolation in a table of 1024 intervals: the classic way to avoid the formula.
+class Table {
+  public:
+    template <class K>
+    explicit Table(K) : scale_{intervals / K::support} {
+        for (std::size_t k = 0; k <= intervals + 1; ++k) {
+            W_.push_back(K::W(double(k) / scale_, 1.0));
+            F_.push_back(K::F(double(k) / scale_, 1.0));
+        }
+    }
+    void look_up(Buffers& b) const {
+        for (std::size_t j = 0; j < pairs; ++j) {
+            const double place = b.r[j] * scale_;
+            const auto k = static_cast<std::size_t>(place);
+            const double rest = place - double(k);
+            b.W[j] = W_[k] + rest * (W_[k + 1] - W_[k]);
+            b.F[j] = F_[k] + rest * (F_[k + 1] - F_[k]);
+        }
+        benchmark_keep(b.W.data());
+    }
+
+  private:
+    static constexpr std::size_t intervals = 1024;
+    double scale_;
+    std::vector<double> W_, F_;
+};
+
+}  // namespace
+
+void kernels(report::Run& run) {
+    report::Table table{{"kernel", "form", "ns a pair, W and F", "times the piecewise ifs"}};
+    plot::Figure figure{"kernels"};
+    plot::Panel& panel = figure.panel().titled("$W$ and $F$ together, 3D, one core").log_x();
+    panel.labels("CPU time a pair [ns]", "").y_range(0, 15);
+    panel.y.tick_labels = false;
+    double naive = 0, row = 14;
+    const auto add = [&](const std::string& kernel, const std::string& form,
+                         const std::function<void()>& work) {
+        const Speed speed = measure(kernel + "/" + form, pairs, work);
+        if (naive == 0) naive = speed.median_ns;
+        run.result(kernel + " " + form, static_cast<long>(pairs), "ns_per_pair", speed.median_ns, "ns");
+        run.result(kernel + " " + form, static_cast<long>(pairs), "best_ns_per_pair", speed.best_ns, "ns");
+        table.row({kernel, form, report::timing(speed.median_ns), report::timing(naive / speed.median_ns)});
+        panel.points({speed.median_ns}, {row},
+                     {.colour = plot::cycle(form == "tiles" ? 0 : 1), .marker = plot::Marker::circle});
+        panel.note(speed.median_ns * 1.15, row, kernel + ", " + form);
+        row -= 1;
+    };
+    using Cubic = sph::CubicSpline<3>;
+    using Naive = sph::PiecewiseCubic<3>;
+    Buffers cubic{Cubic::support};
+    add("cubic", "piecewise ifs", [&] { pair_by_pair<Naive>(cubic); });
+    add("cubic", "piecewise ifs in a plain loop", [&] { plain_loop<Naive>(cubic); });
+    const Table look_up{Cubic{}};
+    add("cubic", "table", [&] { look_up.look_up(cubic); });
+    add("cubic", "branch-free", [&] { pair_by_pair<Cubic>(cubic); });
+    add("cubic", "branch-free in a plain loop", [&] { plain_loop<Cubic>(cubic); });
+    sph::for_each_kernel<3>([&](auto kernel) {
+        using K = decltype(kernel);
+        Buffers buffers{K::support};
+        add(std::string{K::name}, "tiles", [&] { in_tiles<K>(buffers); });
+    });
+    run.save(figure);
+    run.fill("kernels", table.markdown());
+}
+
+}  // namespace bench
