@@ -171,24 +171,29 @@ Interpolation<K>::Interpolation(const Columns<d>& points, double h, Function&& A
     A_ = cells_.sorted(A_images, tile_width);
 }
 
+/// Eight doubles of a column from index j on.
+inline Tile load(const std::vector<double>& column, std::size_t j) {
+    return Eigen::Map<const Tile>(column.data() + j);
+}
+
+/// Zero in the first `used` lanes (1..8) and one in the others: a window on a constant table, one load.
+inline Tile unused_lanes(std::size_t used) {
+    static constexpr std::array<double, 2 * tile_width> table{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
+    return Eigen::Map<const Tile>(table.data() + (tile_width - used));
+}
+
 template <class K>
 template <class Visit>
 void Interpolation<K>::for_each_tile(const Vector<d>& x, Visit&& visit) const {
-    const auto load = [](const std::vector<double>& column, std::size_t j) {
-        return Tile(Eigen::Map<const Tile>(column.data() + j));
-    };
-    const Tile lane = Tile::LinSpaced(0, tile_width - 1);
+    const double beyond = 1e6 * square(K::support * h_);
     cells_.for_each_range(x, [&](std::size_t begin, std::size_t end) {
         for (std::size_t j = begin; j < end; j += tile_width) {
             Pairs<d> p;
-            Tile r2 = Tile::Zero();
+            // Lanes behind the end of the range are moved beyond the support, where W and F are zero.
+            Tile r2 = beyond * unused_lanes(std::min<std::size_t>(end - j, tile_width));
             for (std::size_t a = 0; a < d; ++a) {
                 p.x_ij[a] = x[a] - load(x_[a], j);
                 r2 += p.x_ij[a] * p.x_ij[a];
-            }
-            // Lanes behind the end of the range are moved beyond the support, where W and F are zero.
-            if (j + tile_width > end) {
-                r2 = (lane < double(end - j)).select(r2, 1e6 * K::support * K::support * h_ * h_);
             }
             p.r = r2.sqrt();
             visit(p, j);
@@ -199,19 +204,17 @@ void Interpolation<K>::for_each_tile(const Vector<d>& x, Visit&& visit) const {
 template <class K>
 template <class... Estimates>
 auto Interpolation<K>::evaluate(const Vector<d>& x, double A_i, double rho_i) const {
-    const auto load = [](const std::vector<double>& column, std::size_t j) {
-        return Tile(Eigen::Map<const Tile>(column.data() + j));
-    };
+    const double h = h_;  // a local: the compiler need not fear that sums overwrite it
     auto sums = std::tuple{decltype(Estimates::template term<d>(std::declval<Pairs<d>>())){}...};
     std::apply(
         [](auto&... sum) { ((std::for_each(sum.begin(), sum.end(), [](Tile& t) { t.setZero(); })), ...); },
         sums);
-    for_each_tile(x, [&](Pairs<d>& p, std::size_t j) {
+    for_each_tile(x, [&, h](Pairs<d>& p, std::size_t j) {
         p.A_i = A_i;
         p.rho_i = rho_i;
-        p.W = K::W(p.r, h_);
-        p.F = K::F(p.r, h_);
-        p.d2W = K::d2W_dr2(p.r, h_);
+        p.W = K::W(p.r, h);
+        p.F = K::F(p.r, h);
+        p.d2W = K::d2W_dr2(p.r, h);
         p.m = load(m_, j);
         p.V = load(V_, j);
         p.A = load(A_, j);

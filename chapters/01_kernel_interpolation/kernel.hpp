@@ -61,8 +61,9 @@ template <class T>
 constexpr T zero_beyond(double limit, const T& q, const T& value) {
     if constexpr (Number<T>) {
         return q < limit ? value : T(0);
-    } else if constexpr (requires { (q < limit).select(value, 0.0); }) {
-        return (q < limit).select(value, 0.0);
+    } else if constexpr (requires { q.max(0.0).min(1.0); }) {
+        // A step made of max and min, which are vector instructions; Eigen 3.4 selects one element at a time.
+        return value * ((limit - q) * 1e300).max(0.0).min(1.0);
     } else {
         return q.real() < limit ? value : T(0);
     }

@@ -28,8 +28,8 @@ void test_function(report::Run& run, const Options& options);  // study_interpol
 void interpolation_map(report::Run& run, const Options& options);
 void convergence(report::Run& run, const Options& options);  // study_convergence.cpp
 void second_derivatives(report::Run& run, const Options& options);
-void cost(report::Run& run);  // study_cost.cpp
-void cost_of_resolution(report::Run& run);
+void cost(report::Run& run);                // study_cost.cpp
+void cost_of_resolution(report::Run& run);  // study_cost_curves.cpp
 void cost_of_estimates(report::Run& run);
 void interpolate(report::Run& run, const Options& options);  // scenes.cpp: a scene of the reader's own
 void tabulate(report::Run& run, const Options& options);

@@ -25,6 +25,7 @@ plot::Style kernel_style(std::size_t index, const std::string& label, bool marke
                                 Marker::diamond, Marker::triangle_down, Marker::plus,
                                 Marker::cross,   Marker::circle,        Marker::square};
     plot::Style style{.label = label, .colour = plot::cycle(index), .dash = dashes.at(index)};
+    if (index >= 8) style.colour = plot::Colour{0.45, 0.45, 0.45};  // the cycle would begin anew
     if (markers) {
         style.marker = shapes.at(index);
         style.filled = index < 5;
@@ -146,8 +147,10 @@ void fourier_transforms(report::Run& run) {
                       {.colour = style.colour, .marker = plot::Marker::circle, .filled = false});
         decay.curve(fine, size, style);
     });
-    decay.note(2 * pi * 1.2, 0.35, "first wave that aliases at $h$ = 1.2 d$x$").points_at = {2 * pi * 1.2,
-                                                                                             1e-9};
+    const double aliased = 2 * pi * 1.2;
+    decay.curve({aliased, aliased}, {1e-9, 2},
+                {.colour = plot::Colour{0.5, 0.5, 0.5}, .dash = plot::Dash::dashed});
+    decay.note(aliased + 0.3, 0.4, "first wave that aliases at $h$ = 1.2 d$x$");
     decay.legend.outside = true;
     run.save(figure);
 }

@@ -86,7 +86,7 @@ void summation_errors(report::Run& run) {
     for_each_kernel<1>([&](auto kernel) {
         using K = decltype(kernel);
         const std::string name{K::name};
-        const Worst worst = compare(kernel, index++, constant, slope, run.quick() ? 171 : 681);
+        const Worst worst = compare(kernel, index++, constant, slope, run.quick() ? 171 : 341);
         run.result(name, 1, "linf_constant_sum_against_poisson", worst.constant, "absolute");
         run.result(name, 1, "linf_slope_sum_against_poisson", worst.slope, "absolute");
         run.result(name, 1, "constant_error_at_1.2", constant_error(kernel, 1.2));

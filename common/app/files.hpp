@@ -7,8 +7,10 @@ namespace app {
 
 /// Writes `bytes` to `path` so that a reader sees the old file or the whole new one, never a part:
 /// a temporary file in the same folder is written, flushed to the disk and renamed.
-/// Creates missing parent folders. Leaves no temporary file behind, whatever happens.
-/// Throws IoError naming the file and the system's reason (no permission, disk full, not a folder).
+/// Creates missing parent folders. Leaves no temporary file behind, also after Ctrl-C or `kill` (only `kill
+/// -9` or a power failure can). A link stays a link: the file behind it is written. An existing file keeps
+/// its permissions, a write-protected one is refused, and so is what is no regular file (a device, a pipe, a
+/// folder). Throws IoError naming the file and the system's reason (no permission, disk full, not a folder).
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// The whole file as bytes. Throws IoError naming the file and the reason.

@@ -2,7 +2,8 @@
 #include "tests/bench/benches.hpp"
 
 int main(int argc, char** argv) {
-    report::Chapter benches{"bench", "How fast are the parts, beside the plain way to write them?", "none"};
+    report::Chapter benches{report::Place{"bench", "./tutorial bench", "bench", "README.md"},
+                            "How fast are the parts, beside the plain way to write them?", "none"};
     benches.figure("kernels", "nanoseconds a pair of every kernel, and of the cubic spline in five forms",
                    bench::kernels);
     return benches.main(argc, argv);

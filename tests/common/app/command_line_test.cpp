@@ -130,7 +130,7 @@ TEST_CASE("bad usage ends a program with status 2 and one line on stderr") {
     CHECK(outcome.err == "error: --x: '1 2' is not a number; allowed: any finite number\n");
 }
 
-TEST_CASE("--help prints each option with meaning, unit, range and default") {
+TEST_CASE("the option --help prints each option with meaning, unit, range and default") {
     // Fails if a part is dropped, a line is not wrapped, or help is not on standard output.
     const auto outcome = child::run([] {
         return app::run([] {
@@ -156,7 +156,7 @@ TEST_CASE("--help prints each option with meaning, unit, range and default") {
     for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 96);
 }
 
-TEST_CASE("--version prints the project's version") {
+TEST_CASE("the option --version prints the project's version") {
     // Fails if the version of CMake's project() does not reach the program.
     const auto outcome = child::run([] {
         return app::run([] {

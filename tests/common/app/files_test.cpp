@@ -98,15 +98,14 @@ TEST_CASE("a full disk leaves the old file and nothing else") {
 }
 
 TEST_CASE("what is not a regular file is not replaced") {
-    // Fails if a pipe or a folder is renamed over; with a device that would break the system.
+    // Fails if a pipe or a folder is renamed over. A pipe of the test's own: were the guard broken, a device
+    // in /dev would be lost to the whole machine.
     const child::Folder folder;
     const fs::path pipe = folder.path() / "pipe", inner = folder.path() / "inner";
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
     fs::create_directory(inner);
     CHECK(io_error([&] { app::write_file(pipe, "x"); }) ==
           "cannot write " + pipe.string() + ": not a regular file");
-    CHECK(io_error([&] { app::write_file("/dev/full", "x"); }) ==
-          "cannot write /dev/full: not a regular file");
     CHECK(io_error([&] { app::write_file(inner, "x"); }) ==
           "cannot write " + inner.string() + ": Is a directory");
     CHECK(fs::is_fifo(pipe));
@@ -217,12 +216,13 @@ TEST_CASE("a file never becomes standard output") {
     const auto outcome = child::run([&] {
         ::close(STDOUT_FILENO);
         return app::run([&] {
-            app::write_file(path, "text");
+            const int file = ::open(path.c_str(), O_WRONLY | O_CREAT, 0600);
             app::write_stdout("printed");
+            ::close(file);
         });
     });
     CHECK(outcome.status == 4);
-    CHECK(app::read_file(path) == "text");
+    CHECK(app::read_file(path).empty());
 }
 
 TEST_CASE("the project's root holds the project") {

@@ -1,0 +1,51 @@
+#pragma once
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "chapters/01_kernel_interpolation/finite_differences.hpp"
+#include "chapters/01_kernel_interpolation/interpolation.hpp"
+#include "chapters/01_kernel_interpolation/measured.hpp"
+#include "chapters/01_kernel_interpolation/test_function.hpp"
+#include "common/plot/figure.hpp"
+#include "common/report/chapter.hpp"
+#include "common/report/norms.hpp"
+
+/// CPU time of interpolations and of finite differences. Times are of one thread, the best of several
+/// samples, for evaluation alone: the particles are sorted beforehand.
+namespace sph {
+
+inline constexpr double ns = 1e9;  // in a second
+
+template <class K>
+Interpolation<K> interpolation_of(const Setting& s) {
+    constexpr int d = K::dimension;
+    return {make_points<d>(s.arrangement, s.per_side, s.jitter, s.seed),
+            s.h_over_dx / static_cast<double>(s.per_side), TestFunction<d>{}};
+}
+
+/// CPU nanoseconds a particle for the listed estimates.
+template <class... Estimates, class K>
+double ns_per_point(report::Run& run, const Interpolation<K>& A) {
+    double sum = 0;
+    const report::Timing timing = run.time([&] {
+        for (std::size_t i = 0; i < A.size(); ++i) sum += std::get<0>(A.template at<Estimates...>(i))[0];
+        report::keep(sum);
+    });
+    return ns * timing.best / static_cast<double>(A.size());
+}
+
+/// A competitor: its name, label, error, and CPU nanoseconds a point.
+struct Competitor {
+    std::string name, label;
+    double error = 0, ns = 0;
+};
+
+/// Central differences on even points, three-point differences on others: relative L2 error of the slope, and
+/// cost.
+std::vector<Competitor> differences_1d(report::Run& run, Arrangement arrangement, std::size_t n,
+                                       double jitter);
+/// Central differences of both components on the n x n lattice.
+std::vector<Competitor> differences_2d(report::Run& run, std::size_t n);
+
+}  // namespace sph

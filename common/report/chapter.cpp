@@ -1,0 +1,274 @@
+#include "common/report/chapter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+#include "common/app/error.hpp"
+#include "common/app/program.hpp"
+#include "common/app/progress.hpp"
+#include "common/report/chapter_run.hpp"
+
+namespace report {
+namespace {
+
+/// A figure of the book or a scene of the reader's own.
+struct Entry {
+    std::string name, description;
+    std::function<void(Run&)> make;
+};
+
+std::vector<std::string> names_of(const std::vector<Entry>& entries) {
+    std::vector<std::string> names;
+    for (const auto& entry : entries) names.push_back(entry.name);
+    return names;
+}
+
+const Entry& find(const std::vector<Entry>& entries, const std::string& name) {
+    return *std::find_if(entries.begin(), entries.end(),
+                         [&](const Entry& entry) { return entry.name == name; });
+}
+
+std::string listed(const std::string& title, const std::vector<Entry>& entries) {
+    if (entries.empty()) return "";
+    std::size_t width = 0;
+    for (const auto& entry : entries) width = std::max(width, entry.name.size());
+    std::string text = title + ":\n";
+    for (const auto& entry : entries)
+        text += fmt::format("  {:<{}}  {}\n", entry.name, width, entry.description);
+    return text;
+}
+
+/// Options that do not change what a figure shows: they must not change its bytes either.
+std::vector<std::string> not_of_the_figure() {
+    return {"out", "only", "scene", "list", "threads", "update-text", "check-text"};
+}
+
+long default_threads() {
+    return std::clamp<long>(std::thread::hardware_concurrency(), 1, 256);
+}
+
+}  // namespace
+
+struct Chapter::Implementation {
+    Place place;
+    std::string revision;
+    std::filesystem::path root;
+    app::CommandLine options;
+    std::vector<Entry> figures, scenes;
+
+    bool quick = false, list = false, update_text = false, check_text = false;
+    std::string out, only, scene;
+    long threads = default_threads(), seed = 1;
+
+    Settings settings;
+    std::optional<plot::Studio> studio;
+    Blocks blocks;
+
+    Implementation(Place where, const std::string& title, std::string source_revision,
+                   std::filesystem::path root_folder)
+        : place{std::move(where)},
+          revision{std::move(source_revision)},
+          root{std::move(root_folder)},
+          options{place.folder, title} {}
+
+    std::filesystem::path readme() const { return root / place.readme; }
+
+    void declare_options();
+    void refuse_contradictions() const;
+    Settings chosen_settings() const;
+    void run();
+    void run_scene();
+    void run_figures();
+    void write_results(const Results& fresh, const Results& older,
+                       const std::vector<std::string>& made) const;
+    Results older_results() const;
+    void compare_text(const std::string& markdown) const;
+    void rewrite_text(const std::string& markdown) const;
+};
+
+void Chapter::Implementation::declare_options() {
+    options.flag("quick", quick, "fewer points: a first look within seconds")
+        .text("out", out, "DIR",
+              fmt::format("folder of figures and results; default renders/{0}, build/quick/{0} with --quick, "
+                          "build/scenes/{0}/SCENE with --scene",
+                          place.folder))
+        .choice("only", only, names_of(figures), "make this figure only");
+    // Without scenes there is nothing to choose from.
+    if (!scenes.empty())
+        options.choice("scene", scene, names_of(scenes), "run a scene of your own instead of the figures");
+    options.flag("list", list, "list figures and scenes, and exit")
+        .integer("threads", threads, 1, 256, "number of threads")
+        .integer("seed", seed, 0, std::numeric_limits<long>::max(), "seed of the random numbers")
+        .flag("update-text", update_text, "after a full run, rewrite the numbers in the chapter's README.md")
+        .flag("check-text", check_text,
+              "compute all, draw nothing, compare the numbers in the chapter's README.md")
+        .footer(fmt::format("\n{}{}", listed("Figures (--only NAME)", figures),
+                            listed("Scenes (--scene NAME)", scenes)));
+}
+
+void Chapter::Implementation::refuse_contradictions() const {
+    const auto refuse = [](bool wrong, const std::string& reason) {
+        if (wrong) throw app::UsageError{reason};
+    };
+    refuse(!only.empty() && !scene.empty(), "--only: not allowed together with --scene");
+    refuse(update_text && check_text, "--update-text: not allowed together with --check-text");
+    for (const auto& [given, name] :
+         {std::pair{update_text, "--update-text"}, {check_text, "--check-text"}}) {
+        const std::string reason = std::string{name} + ": needs a full run, not allowed together with ";
+        refuse(given && quick, reason + "--quick");
+        refuse(given && !only.empty(), reason + "--only");
+        refuse(given && !scene.empty(), reason + "--scene");
+        const std::string changed = options.changed(not_of_the_figure());
+        refuse(given && !changed.empty(), reason + changed + ": the text tells the defaults' numbers");
+    }
+}
+
+Settings Chapter::Implementation::chosen_settings() const {
+    Settings chosen{quick, check_text, static_cast<int>(threads), static_cast<unsigned long>(seed), out, {}};
+    if (out.empty() && !scene.empty()) {
+        chosen.out = root / "build" / "scenes" / place.folder / scene;
+    } else if (out.empty()) {
+        chosen.out = quick ? root / "build" / "quick" / place.folder : root / "renders" / place.folder;
+    }
+    const std::string changed = options.changed(not_of_the_figure());
+    chosen.metadata.parameters = changed.empty() ? "default" : changed;
+    chosen.metadata.revision = revision;
+    return chosen;
+}
+
+/// The results of an earlier run, which a run of one figure must not drop.
+Results Chapter::Implementation::older_results() const {
+    const auto path = settings.out / "results.csv";
+    if (!std::filesystem::exists(path)) return {};
+    try {
+        return Results::parse(app::read_file(path));
+    } catch (const std::invalid_argument& error) {
+        if (only.empty()) return {};  // a full run replaces the file in any case
+        throw app::IoError{"cannot read " + path.string() + ": " + error.what()};
+    }
+}
+
+/// Writes the fresh rows, and the older ones of the figures that have not been made anew, in the book's
+/// order.
+void Chapter::Implementation::write_results(const Results& fresh, const Results& older,
+                                            const std::vector<std::string>& made) const {
+    Results all;
+    const bool complete =
+        made.size() == figures.size();  // then nothing older is left, not even of lost figures
+    for (const auto& row : older.rows()) {
+        if (complete || std::find(made.begin(), made.end(), row.scene) != made.end()) continue;
+        all.add(row.scene, row.method, row.n, row.quantity, row.value, row.unit);
+    }
+    all.append(fresh);
+    all.sort_by_scene(names_of(figures));
+    all.write(settings.out / "results.csv");
+}
+
+void Chapter::Implementation::compare_text(const std::string& markdown) const {
+    const auto found = differences(markdown, blocks);
+    for (const auto& line : found) fmt::print(stderr, "{}\n", line);
+    if (!found.empty())
+        throw app::Error{app::ExitCode::failed,
+                         fmt::format("{}: {} {}", readme().string(), found.size(),
+                                     found.size() == 1 ? "difference" : "differences")};
+}
+
+void Chapter::Implementation::rewrite_text(const std::string& markdown) const {
+    try {
+        app::write_file(readme(), fill(markdown, blocks));
+    } catch (const std::invalid_argument& error) {
+        throw app::Error{app::ExitCode::failed, readme().string() + ": " + error.what()};
+    }
+}
+
+void Chapter::Implementation::run() {
+    refuse_contradictions();
+    if (list) return app::write_stdout(listed("figures", figures) + listed("scenes", scenes));
+    settings = chosen_settings();
+    // Nothing is worse than to learn after a long computation that its results cannot be written.
+    if (!check_text) app::require_writable_folder(settings.out);
+    if (scene.empty()) return run_figures();
+    run_scene();
+}
+
+void Chapter::Implementation::run_scene() {
+    const Entry& entry = find(scenes, scene);
+    settings.metadata.command = place.command + " --scene " + scene;
+    if (settings.metadata.parameters != "default")
+        settings.metadata.command += " " + settings.metadata.parameters;
+    FigureRun figure_run{scene, settings, studio, blocks};
+    entry.make(figure_run);
+    if (figure_run.results().rows().empty()) return;
+    figure_run.results().write(settings.out / "results.csv");
+    app::write_stdout(figure_run.results().csv());
+}
+
+void Chapter::Implementation::run_figures() {
+    const bool needs_text = update_text || check_text;
+    const std::string markdown = needs_text ? app::read_file(readme()) : "";
+    const std::vector<Entry> made = only.empty() ? figures : std::vector{find(figures, only)};
+    const Results older = check_text ? Results{} : older_results();
+    Results fresh;
+    std::vector<std::string> finished;
+    app::Progress progress{place.title, static_cast<int>(made.size())};
+    for (const auto& entry : made) {
+        progress.begin(entry.name);
+        settings.metadata.command = place.command + " --only " + entry.name;
+        if (settings.metadata.parameters != "default")
+            settings.metadata.command += " " + settings.metadata.parameters;
+        FigureRun figure_run{entry.name, settings, studio, blocks};
+        entry.make(figure_run);
+        fresh.append(figure_run.results());
+        finished.push_back(entry.name);
+        // After each figure: what is finished stays if a later one fails or Ctrl-C is pressed.
+        if (!check_text) write_results(fresh, older, finished);
+        progress.finish(entry.name);
+    }
+    if (check_text) compare_text(markdown);
+    if (update_text) rewrite_text(markdown);
+}
+
+Place Place::of_chapter(const std::string& folder) {
+    const bool numbered = folder.size() > 3 && std::all_of(folder.begin(), folder.begin() + 2,
+                                                           [](char c) { return c >= '0' && c <= '9'; });
+    if (!numbered) throw std::invalid_argument{"a chapter's folder is named as 01_name: " + folder};
+    const std::string number = folder.substr(0, 2);
+    return {folder, "./tutorial run " + number, fmt::format("chapter {}", std::stoi(number)),
+            std::filesystem::path{"chapters"} / folder / "README.md"};
+}
+
+Chapter::Chapter(Place place, std::string title, std::string revision, std::filesystem::path root)
+    : self_{std::make_unique<Implementation>(std::move(place), title, std::move(revision), std::move(root))} {
+}
+Chapter::Chapter(std::string folder, std::string title, std::string revision, std::filesystem::path root)
+    : Chapter{Place::of_chapter(folder), std::move(title), std::move(revision), std::move(root)} {}
+Chapter::~Chapter() = default;
+Chapter::Chapter(Chapter&&) noexcept = default;
+Chapter& Chapter::operator=(Chapter&&) noexcept = default;
+
+app::CommandLine& Chapter::options() {
+    return self_->options;
+}
+
+Chapter& Chapter::figure(std::string name, std::string description, std::function<void(Run&)> make) {
+    self_->figures.push_back({std::move(name), std::move(description), std::move(make)});
+    return *this;
+}
+
+Chapter& Chapter::scene(std::string name, std::string description, std::function<void(Run&)> make) {
+    self_->scenes.push_back({std::move(name), std::move(description), std::move(make)});
+    return *this;
+}
+
+int Chapter::main(int argc, const char* const* argv) {
+    return app::run([&] {
+        self_->declare_options();
+        if (self_->options.parse(argc, argv)) self_->run();
+    });
+}
+
+}  // namespace report

@@ -1,0 +1,51 @@
+#include "common/report/chapter_run.hpp"
+
+#include <stdexcept>
+
+#include "common/app/files.hpp"
+#include "common/app/program.hpp"
+
+namespace report {
+
+FigureRun::FigureRun(std::string scene, const Settings& settings, std::optional<plot::Studio>& studio,
+                     Blocks& blocks)
+    : scene_{std::move(scene)}, settings_{settings}, studio_{studio}, blocks_{blocks} {}
+
+void FigureRun::result(const std::string& method, long n, const std::string& quantity, double value,
+                       const std::string& unit) {
+    app::check_interrupt();  // a figure hands over results often enough for Ctrl-C to be noticed here
+    results_.add(scene_, method, n, quantity, value, unit);
+}
+
+void FigureRun::save(const plot::Figure& figure) {
+    app::check_interrupt();
+    if (settings_.check_text) return;
+    if (!studio_) studio_.emplace();
+    studio_->save(figure, settings_.out, settings_.metadata);
+}
+
+void FigureRun::fill(const std::string& name, const std::string& text) {
+    const auto [place, added] = blocks_.emplace(name, text);
+    if (!added && place->second != text)
+        throw std::invalid_argument{"the text " + name + " is filled twice, with different contents"};
+}
+
+Timing FigureRun::time(const std::function<void()>& work) {
+    if (settings_.check_text) {
+        const double start = thread_cpu_seconds();
+        work();
+        const double seconds = thread_cpu_seconds() - start;
+        return {seconds, seconds, 1};
+    }
+    return settings_.quick ? report::time(work, 3, 0.002) : report::time(work);
+}
+
+void FigureRun::write(const std::string& file_name, const std::string& text) {
+    if (!settings_.check_text) app::write_file(settings_.out / file_name, text);
+}
+
+void FigureRun::print(const std::string& text) {
+    if (!settings_.check_text) app::write_stdout(text);
+}
+
+}  // namespace report

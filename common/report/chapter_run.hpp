@@ -1,0 +1,50 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "common/plot/save.hpp"
+#include "common/report/chapter.hpp"
+
+/// How a chapter's figures are run, and what they leave. Used by chapter.cpp.
+namespace report {
+
+/// What the command line asks of the figures.
+struct Settings {
+    bool quick = false;
+    bool check_text = false;  ///< nothing is drawn, written or printed, and work is timed only once
+    int threads = 1;
+    unsigned long seed = 1;
+    std::filesystem::path out;
+    plot::Metadata metadata;
+};
+
+/// One figure's or scene's run: its rows are kept apart until it is complete.
+class FigureRun : public Run {
+  public:
+    /// `studio` is opened at the first figure that is drawn; `blocks` are those of all figures.
+    FigureRun(std::string scene, const Settings& settings, std::optional<plot::Studio>& studio,
+              Blocks& blocks);
+
+    bool quick() const override { return settings_.quick; }
+    int threads() const override { return settings_.threads; }
+    unsigned long seed() const override { return settings_.seed; }
+    void result(const std::string& method, long n, const std::string& quantity, double value,
+                const std::string& unit) override;
+    void save(const plot::Figure& figure) override;
+    void fill(const std::string& name, const std::string& text) override;
+    Timing time(const std::function<void()>& work) override;
+    void write(const std::string& file_name, const std::string& text) override;
+    void print(const std::string& text) override;
+
+    const Results& results() const { return results_; }
+
+  private:
+    std::string scene_;
+    const Settings& settings_;
+    std::optional<plot::Studio>& studio_;
+    Blocks& blocks_;
+    Results results_;
+};
+
+}  // namespace report

@@ -1,0 +1,45 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+namespace report {
+
+/// `value` with `digits` (1..17) significant digits, in the shorter of "0.0123" and "1.23e-2" (the former if
+/// they are equally long); in the latter too if the former would need zeros that are not significant
+/// ("1.2e4"), unless `value` is just that whole number, below a million ("12000"). Zero is "0", what is not
+/// finite "nan", "inf" or "-inf".
+std::string number(double value, int digits);
+/// A measured time or speed: "≈" and the number. Filled into texts, never compared: it differs from run to
+/// run.
+std::string timing(double value, int digits = 2);
+
+/// A table, printed as GitHub Markdown; numbers are right-aligned.
+class Table {
+  public:
+    explicit Table(std::vector<std::string> header);
+    void row(std::vector<std::string> cells);  ///< throws std::invalid_argument unless one cell a column
+    std::string markdown() const;
+
+  private:
+    std::vector<std::string> header_;
+    std::vector<std::vector<std::string>> rows_;
+};
+
+/// Texts that a program produces, by name; a README holds each between `<!-- fill NAME -->` and `<!-- end
+/// -->` (on lines of their own for tables, or inside a sentence for a number). NAME has no spaces.
+using Blocks = std::map<std::string, std::string>;
+
+/// `markdown` with every marked block replaced. A text with newlines stands on lines of its own.
+/// Throws std::invalid_argument for a marker without end, a marked name that is not in `blocks`, or a block
+/// of `blocks` that the text never shows (`shows_all` false skips the last check).
+std::string fill(const std::string& markdown, const Blocks& blocks, bool shows_all = true);
+
+/// Differences between the marked blocks of `markdown` and `blocks`, one line each. Words must be equal;
+/// a number may differ by one unit of the last digit that both print (rounding on another machine); numbers
+/// below 1e-13 are nothing but rounding and count as equal; numbers after "≈" are timings and are not
+/// compared. Digits that belong to a word (l1_rho, 2D) are part of it. How wide a table's columns are does
+/// not matter.
+std::vector<std::string> differences(const std::string& markdown, const Blocks& blocks);
+
+}  // namespace report

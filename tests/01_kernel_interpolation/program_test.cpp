@@ -1,0 +1,144 @@
+// The chapter's program as a reader calls it: bad input gets one line and the right exit status.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int status = -1;
+    std::string text;  // standard output and standard error
+};
+
+/// Runs the chapter's program through the shell; `before` may set variables.
+Outcome run(const std::string& arguments, const std::string& before = "") {
+    const std::string command = before + " '" + CHAPTER_PROGRAM + "' " + arguments + " 2>&1";
+    Outcome outcome;
+    FILE* pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::array<char, 4096> buffer{};
+    for (std::size_t n = 0; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+        outcome.text.append(buffer.data(), n);
+    }
+    outcome.status = WEXITSTATUS(pclose(pipe));
+    return outcome;
+}
+
+/// An empty folder, removed at the end.
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("sph_chapter_01_" + std::to_string(getpid()));
+    Folder() {
+        fs::remove_all(path);
+        fs::create_directories(path);
+    }
+    ~Folder() { fs::remove_all(path); }
+    std::size_t files() const {
+        std::size_t count = 0;
+        for (const auto& entry : fs::recursive_directory_iterator{path}) count += entry.is_regular_file();
+        return count;
+    }
+};
+
+std::string read(const fs::path& path) {
+    std::ifstream stream{path, std::ios::binary};
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+std::size_t lines(const std::string& text) {
+    return std::size_t(std::count(text.begin(), text.end(), '\n'));
+}
+
+void check_refused(const std::string& arguments, int status, const std::string& named,
+                   const std::string& before = "") {
+    INFO(before << " program " << arguments);
+    const Outcome outcome = run(arguments, before);
+    INFO(outcome.text);
+    CHECK(outcome.status == status);
+    CHECK(lines(outcome.text) == 1);
+    CHECK(outcome.text.rfind("error: ", 0) == 0);
+    CHECK(outcome.text.find(named) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("bad options are refused in one line that names them") {
+    const Folder folder;
+    const std::string out = " --out " + folder.path.string();
+    check_refused("--only kernel" + out, 2, "kernels");  // the nearest
+    check_refused("--onyl kernels" + out, 2, "--only");
+    check_refused("--threads 0" + out, 2, "1..256");
+    check_refused("--jitter nan" + out, 2, "--jitter");
+    check_refused("--jitter inf" + out, 2, "--jitter");
+    check_refused("--h-over-dx -1" + out, 2, "--h-over-dx");
+    check_refused("--h-over-dx 1.2x" + out, 2, "--h-over-dx");
+    check_refused("--particles 0" + out, 2, "--particles");
+    check_refused("--kernel cubik" + out, 2, "cubic");
+    check_refused("--scene interpolate --dimension 3" + out, 2, "--dimension");
+    check_refused("--seed -1" + out, 2, "--seed");
+    CHECK(folder.files() == 0);
+}
+
+TEST_CASE("what cannot be written is said before anything is computed") {
+    const Folder folder;
+    check_refused("--only kernels --out /dev/null/x", 4, "/dev/null/x");
+    check_refused("--only kernels --out " + folder.path.string(), 4, "fonts-dejavu-core",
+                  "SPH_FONT=/nonexistent.ttf");
+    CHECK(folder.files() == 0);
+    // Standard output on a full disk.
+    const Outcome full = run("--scene kernel --out " + folder.path.string() + " > /dev/full");
+    CHECK(full.status == 4);
+}
+
+TEST_CASE("one figure of a run: its picture, its data, its results, and nothing else") {
+    const Folder folder;
+    const std::string out = " --out " + folder.path.string();
+    REQUIRE(run("--quick --only integral-error --threads 1" + out).status == 0);
+    CHECK(folder.files() == 3);
+    const std::string png = read(folder.path / "integral-error.png"),
+                      csv = read(folder.path / "integral-error.csv");
+    CHECK(png.size() > 10000);
+    CHECK(read(folder.path / "results.csv").rfind("scene,method,n,quantity,value,unit\n", 0) == 0);
+    // The same bytes for two threads and another folder.
+    REQUIRE(run("--quick --only integral-error --threads 2" + out + "/again").status == 0);
+    CHECK(read(folder.path / "again" / "integral-error.png") == png);
+    CHECK(read(folder.path / "again" / "integral-error.csv") == csv);
+    // A second figure keeps the first one's results.
+    REQUIRE(run("--quick --only map" + out).status == 0);
+    const std::string results = read(folder.path / "results.csv");
+    CHECK(results.find("integral-error,cubic,1,rate_wave") != std::string::npos);
+    CHECK(results.find("map,cubic,1024,l2_value_map") != std::string::npos);
+}
+
+TEST_CASE("a reader's scene depends on its options and on nothing else") {
+    const Folder folder;
+    const std::string out = " --out " + folder.path.string();
+    const std::string scene = "--scene interpolate --kernel quintic --particles 20 --dimension 2 --seed 5";
+    REQUIRE(run(scene + " --threads 1" + out).status == 0);
+    const std::string profile = read(folder.path / "profile.csv");
+    CHECK(lines(profile) == 401);
+    CHECK(profile.rfind("x,y,A,dA_dx,laplacian,exact_A,exact_dA_dx,exact_laplacian\n", 0) == 0);
+    REQUIRE(run(scene + " --threads 2" + out).status == 0);
+    CHECK(read(folder.path / "profile.csv") == profile);
+    REQUIRE(run("--scene interpolate --kernel quintic --particles 20 --dimension 2 --seed 6" + out).status ==
+            0);
+    CHECK(read(folder.path / "profile.csv") != profile);
+}
+
+TEST_CASE("the table of a kernel on standard output") {
+    const Outcome table = run("--scene kernel --kernel cubic --dimension 3");
+    CHECK(table.status == 0);
+    CHECK(lines(table.text) == 202);
+    CHECK(table.text.rfind("q,W,dW_dr,d2W_dr2,F,dW_dh\n0,0.318309886183790", 0) == 0);  // 1/pi at the centre
+}

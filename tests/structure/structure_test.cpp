@@ -1,0 +1,159 @@
+// The rules of the architecture, read from the sources: dependencies point one way.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Include {
+    std::string file, target;  // file: path from the root; target: what stands between the quotes or brackets
+};
+
+/// The chapter number of a path like chapters/04_name/..., 0 if it lies in no chapter.
+int chapter_of(const std::string& path) {
+    std::smatch match;
+    return std::regex_search(path, match, std::regex{"^chapters/([0-9]{2})_"}) ? std::stoi(match[1]) : 0;
+}
+bool starts_with(const std::string& text, const std::string& prefix) {
+    return text.rfind(prefix, 0) == 0;
+}
+
+std::string first_of(const std::vector<std::string>& found) {
+    return found.empty() ? "" : found.front();
+}
+
+std::vector<Include> includes_below(const fs::path& root, const std::vector<std::string>& folders) {
+    std::vector<Include> includes;
+    const std::regex pattern{"^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]"};
+    for (const std::string& folder : folders) {
+        for (const auto& entry : fs::recursive_directory_iterator{root / folder}) {
+            const std::string extension = entry.path().extension().string();
+            if (extension != ".hpp" && extension != ".cpp") continue;
+            std::ifstream stream{entry.path()};
+            for (std::string line; std::getline(stream, line);) {
+                std::smatch match;
+                if (std::regex_search(line, match, pattern)) {
+                    includes.push_back({fs::relative(entry.path(), root).generic_string(), match[1]});
+                }
+            }
+        }
+    }
+    return includes;
+}
+
+/// Breaches of the rules among `includes`, one line each.
+std::vector<std::string> breaches(const std::vector<Include>& includes) {
+    std::vector<std::string> found;
+    for (const auto& [file, target] : includes) {
+        const auto breach = [&](const std::string& rule) {
+            found.push_back(file + " includes " + target + ": " + rule);
+        };
+        const int from = chapter_of(file), to = chapter_of(target);
+        if (from > 0 && to > from) breach("a later chapter");
+        if (starts_with(file, "common/") && to > 0) breach("common/ uses no chapter");
+        if (starts_with(target, "tests/") && !starts_with(file, "tests/")) breach("only tests use tests");
+        const bool renderer =
+            std::regex_search(target, std::regex{"^(GL/|EGL/|png\\.h|ft2build\\.h|freetype/|FT_)"});
+        if (renderer && !starts_with(file, "common/plot/")) breach("only common/plot knows the renderer");
+        const bool exact = starts_with(file, "common/exact/");
+        if (exact && (starts_with(target, "common/core/") || to > 0)) breach("common/exact knows no SPH");
+        const bool app = starts_with(file, "common/app/");
+        if (app && starts_with(target, "common/") && !starts_with(target, "common/app/"))
+            breach("app is the lowest layer");
+        const bool plot = starts_with(file, "common/plot/");
+        if (plot && (starts_with(target, "common/report/") || starts_with(target, "common/core/") ||
+                     starts_with(target, "common/exact/"))) {
+            breach("plot uses only app");
+        }
+    }
+    return found;
+}
+
+const fs::path root{SPH_SOURCE_DIR};
+
+}  // namespace
+
+TEST_CASE("dependencies point one way") {
+    const auto includes = includes_below(root, {"common", "chapters", "tests"});
+    REQUIRE(includes.size() > 50);  // the sources were found
+    const auto found = breaches(includes);
+    INFO(first_of(found));
+    CHECK(found.empty());
+}
+
+TEST_CASE("the check of dependencies sees each kind of breach") {
+    CHECK(breaches({{"chapters/01_a/x.hpp", "chapters/02_b/y.hpp"}}).size() == 1);
+    CHECK(breaches({{"common/core/x.hpp", "chapters/01_a/y.hpp"}}).size() == 1);
+    CHECK(breaches({{"chapters/01_a/x.cpp", "GL/osmesa.h"}}).size() == 1);
+    CHECK(breaches({{"common/report/x.cpp", "png.h"}}).size() == 1);
+    CHECK(breaches({{"common/exact/x.cpp", "common/core/cells.hpp"}}).size() == 1);
+    CHECK(breaches({{"common/app/x.cpp", "common/plot/figure.hpp"}}).size() == 1);
+    CHECK(breaches({{"common/plot/x.cpp", "common/report/text.hpp"}}).size() == 1);
+    CHECK(breaches({{"chapters/02_b/x.hpp", "chapters/01_a/y.hpp"}, {"common/plot/x.cpp", "png.h"}}).empty());
+}
+
+TEST_CASE("the top level holds what the README says and nothing else") {
+    const std::vector<std::string> allowed{"CMakeLists.txt",
+                                           "CMakePresets.json",
+                                           "CONTRIBUTING.md",
+                                           "CITATION.cff",
+                                           "LICENSE",
+                                           "README.md",
+                                           "tutorial",
+                                           "chapters",
+                                           "common",
+                                           "renders",
+                                           "tests",
+                                           ".ci",
+                                           ".clang-format",
+                                           ".clang-tidy",
+                                           ".git",
+                                           ".gitignore",
+                                           "build"};
+    for (const auto& entry : fs::directory_iterator{root}) {
+        INFO(entry.path().filename());
+        CHECK(std::find(allowed.begin(), allowed.end(), entry.path().filename()) != allowed.end());
+    }
+    for (const std::string& name : allowed) {
+        if (name != ".git" && name != "build") {
+            INFO(name);
+            CHECK(fs::exists(root / name));
+        }
+    }
+}
+
+TEST_CASE("every chapter has its text, its program and its renders") {
+    for (const auto& entry : fs::directory_iterator{root / "chapters"}) {
+        const std::string name = entry.path().filename().string();
+        INFO(name);
+        CHECK(std::regex_match(name, std::regex{"[0-9]{2}_[a-z_]+"}));
+        CHECK(fs::exists(entry.path() / "README.md"));
+        CHECK(fs::exists(entry.path() / "main.cpp"));
+        CHECK(fs::exists(root / "renders" / name / "results.csv"));
+        CHECK(fs::exists(root / "tests" / name));
+    }
+}
+
+TEST_CASE("links and pictures in the texts exist") {
+    const std::regex link{"\\]\\(([^)#: ]+)(#[^)]*)?\\)"};
+    int links = 0;
+    for (const auto& entry : fs::recursive_directory_iterator{root}) {
+        const std::string path = fs::relative(entry.path(), root).generic_string();
+        if (entry.path().extension() != ".md" || starts_with(path, "build/") || starts_with(path, ".git/"))
+            continue;
+        std::ifstream stream{entry.path()};
+        for (std::string line; std::getline(stream, line);) {
+            for (std::sregex_iterator match{line.begin(), line.end(), link}, end; match != end; ++match) {
+                INFO(path << " links to " << (*match)[1]);
+                CHECK(fs::exists(entry.path().parent_path() / (*match)[1].str()));
+                ++links;
+            }
+        }
+    }
+    CHECK(links > 5);
+}
