@@ -44,7 +44,7 @@ double label_bar(PanelLayout& layout, const BarLayout& bar, const Measure& measu
     const double labels_right = right;
     if (!bar.ticks.factor.empty())
         add(text_box({bar.box.left, bar.box.top - 0.75 * tick_text}, bar.ticks.factor, ticks_style, measure));
-    const auto lines = wrapped(bar.bar.label, label_text, bar.box.height() + 2 * tick_text, measure);
+    const auto lines = wrapped(bar.bar.label, label_text, bar.box.height(), measure);
     const TextStyle label{.size = label_text, .colour = ink, .horizontal = Anchor::centre, .angle = 90};
     double baseline = labels_right + label_gap;
     for (const auto& line : lines) {

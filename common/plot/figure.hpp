@@ -149,7 +149,8 @@ struct Panel {
     ReferenceSlope& slope(double order, double x0, double x1, double y0, std::string label = {});
 };
 
-/// A grid of panels. Default size: 400 x 300 points a panel, drawn at 2 pixels a point.
+/// A grid of panels. Default size: 400 x 300 points a panel, drawn at 2 pixels a point; rows in which all
+/// panels have equal_aspect are made lower if they need less.
 struct Figure {
     std::string name;   ///< file name without extension: lower-case letters, digits, '-', '_'
     std::string title;  ///< above all panels; may be empty

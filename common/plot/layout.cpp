@@ -30,9 +30,10 @@ class Grid {
     Layout layout() {
         settle();
         if (move_bad_legends_outside()) settle();
+        if (trim_rows()) settle();
         Layout result;
         result.width = static_cast<int>(std::lround(width()));
-        result.height = static_cast<int>(std::lround(height()));
+        result.height = static_cast<int>(std::lround(height() - sum(spare_)));
         result.texts = title_;
         for (std::size_t k = 0; k < plans_.size(); ++k) {
             result.panels.push_back(composed_[k].layout);
@@ -78,7 +79,7 @@ class Grid {
         const auto columns = static_cast<std::size_t>(figure_.columns);
         const auto rows = static_cast<std::size_t>(figure_.rows);
         left_ = right_ = Lengths(columns, 0);
-        top_ = bottom_ = Lengths(rows, 0);
+        top_ = bottom_ = spare_ = Lengths(rows, 0);
         beside_ = Lengths(plans_.size(), 0);
     }
 
@@ -99,16 +100,18 @@ class Grid {
         return total;
     }
 
-    /// The right margin of a column holds its bars and outside legends if every panel has some (or must have
-    /// the same width as one that has); otherwise the panel that has them is narrower.
+    /// The right margin of a column holds its bars and outside legends if every panel has some, or if one has
+    /// a legend outside: that belongs to its neighbours too, which keep the same width. A panel that alone
+    /// has a colour bar is narrower instead.
     double common_beside(std::size_t c) const {
         double largest = 0;
-        bool all = true;
+        bool all = true, legend = false;
         for (std::size_t k = c; k < plans_.size(); k += static_cast<std::size_t>(figure_.columns)) {
             largest = std::max(largest, beside_[k]);
             all = all && (beside_[k] > 0 || blank(k));
+            legend = legend || plans_[k].legend_outside;
         }
-        return all || figure_.share_x ? largest : 0;
+        return all || legend || figure_.share_x ? largest : 0;
     }
 
     double frame_width() const {
@@ -128,12 +131,12 @@ class Grid {
         for (std::size_t c = 0; c < column(k); ++c)
             rect.left += left_[c] + frame_width() + right_[c] + common_beside(c) + panel_gap;
         for (std::size_t r = 0; r < row(k); ++r)
-            rect.top += top_[r] + frame_height() + bottom_[r] + panel_gap;
+            rect.top += top_[r] + frame_height() - spare_[r] + bottom_[r] + panel_gap;
         rect.left += left_[column(k)];
         rect.top += top_[row(k)];
         rect.right = rect.left + frame_width();
         if (common_beside(column(k)) == 0) rect.right = std::max(rect.left + 40, rect.right - beside_[k]);
-        rect.bottom = rect.top + frame_height();
+        rect.bottom = rect.top + frame_height() - spare_[row(k)];
         return rect;
     }
 
@@ -143,8 +146,8 @@ class Grid {
             const Rect available = room(k);
             const bool equal = plans_[k].panel->equal_aspect;
             const Rect frame = equal ? with_equal_units(available, plans_[k].ranges) : available;
-            const Rect snapped{std::round(frame.left), std::round(frame.top), std::round(frame.right),
-                               std::round(frame.bottom)};
+            const double left = std::round(frame.left), top = std::round(frame.top);
+            const Rect snapped{left, top, left + std::round(frame.width()), top + std::round(frame.height())};
             composed_[k] = compose(plans_[k], snapped, snapped.left - left_[column(k)],
                                    available.right + right_[column(k)], measure_);
         }
@@ -187,14 +190,32 @@ class Grid {
         compose_all();
     }
 
+    /// Panels of equal aspect that are as wide as possible leave room above and below: the figure is made
+    /// lower where all panels of a row do.
+    bool trim_rows() {
+        Lengths spare(spare_.size(), height());
+        for (std::size_t k = 0; k < plans_.size(); ++k)
+            if (!blank(k))
+                spare[row(k)] =
+                    std::min(spare[row(k)], room(k).height() - composed_[k].layout.frame.height());
+        bool trimmed = false;
+        for (std::size_t r = 0; r < spare.size(); ++r) {
+            if (spare[r] <= 2 || spare[r] >= frame_height()) continue;
+            spare_[r] = std::floor(spare[r]);
+            trimmed = true;
+        }
+        return trimmed;
+    }
+
     bool move_bad_legends_outside() {
         bool moved = false;
         for (std::size_t k = 0; k < plans_.size(); ++k) {
             if (blank(k) || plans_[k].legend_outside) continue;
             PanelLayout trial = composed_[k].layout;
-            if (add_inside(trial, plans_[k], measure_) <= tolerable_cover) continue;
+            const double covered = add_inside(trial, plans_[k], measure_);
+            if (covered <= tolerable_cover) continue;
             const auto legend = legend_at_origin(*plans_[k].panel, legend_text, 1, measure_);
-            const bool has_room = legend.box.width() < 0.4 * trial.frame.width();
+            const bool has_room = covered >= no_place || legend.box.width() < 0.4 * trial.frame.width();
             plans_[k].legend_outside = has_room;
             moved |= has_room;
         }
@@ -208,6 +229,7 @@ class Grid {
     std::vector<PanelPlan> plans_;
     std::vector<ComposedPanel> composed_;
     Lengths left_, right_, top_, bottom_, beside_;
+    Lengths spare_;  // by which the frames of a row are lower than those of other rows
 };
 
 }  // namespace

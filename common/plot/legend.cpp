@@ -152,7 +152,7 @@ LegendPlace place_legend(const Panel& panel, const Occupancy& occupancy, const M
                             {columns + 1, legend_text},
                             {columns, 0.88 * legend_text},
                             {columns + 1, 0.88 * legend_text}};
-    LegendPlace best{{}, 2};
+    LegendPlace best{{}, no_place};
     for (const auto& shape : shapes) {
         const LegendLayout legend = legend_at_origin(panel, shape.text_size, shape.columns, measure);
         if (legend.items.empty()) return {{}, 0};

@@ -38,6 +38,8 @@ struct LegendPlace {
 /// bad.
 LegendPlace place_legend(const Panel& panel, const Occupancy& occupancy, const Measure& measure);
 
+/// What place_legend() returns with an empty legend: its box is larger than the area.
+inline constexpr double no_place = 2;
 /// A legend that covers more than this is better placed outside.
 inline constexpr double tolerable_cover = 0.035;
 

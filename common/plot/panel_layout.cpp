@@ -25,6 +25,7 @@ class Composer {
         layout.y = {plan.ranges.y, panel_.y.scale, frame.bottom, frame.top};
         layout.x_ticks = fitting_ticks(panel_.x, layout.x, Direction::horizontal, tick_text, measure);
         layout.y_ticks = fitting_ticks(panel_.y, layout.y, Direction::vertical, tick_text, measure);
+        if (panel_.equal_aspect) equalise(layout.x_ticks, layout.y_ticks);
         core_ = frame;
     }
 
@@ -41,6 +42,22 @@ class Composer {
     }
 
   private:
+    /// Where a unit is equally long on both axes, so are the steps of their ticks: the wider of the two.
+    void equalise(Ticks& x, Ticks& y) const {
+        if (!panel_.x.ticks.empty() || !panel_.y.ticks.empty()) return;
+        const auto step = [](const Ticks& t) {
+            return t.major.size() < 2 ? 0.0 : t.major[1].value - t.major[0].value;
+        };
+        const double wider = std::max(step(x), step(y));
+        const auto widen = [&](Ticks& ticks, const Range& range) {
+            for (int most = 9; most >= 1 && step(ticks) < 0.99 * wider; --most)
+                if (Ticks wide = linear_ticks(range, most); step(wide) > 0.99 * wider)
+                    ticks = std::move(wide);
+        };
+        widen(x, plan_.ranges.x);
+        widen(y, plan_.ranges.y);
+    }
+
     void add(TextBox text) {
         core_ = united(core_, text.box);
         result_.layout.texts.push_back(std::move(text));
@@ -62,20 +79,32 @@ class Composer {
             depth = core_.bottom - frame.bottom;
         }
         result_.tick_depth_x = depth;
-        depth = std::max(depth, plan_.tick_depth_x);
-        const double baseline = frame.bottom + depth + label_gap + cap_height * label_text;
-        double width = frame.width() + 2 * tick_text;
-        if (labelled && !ticks.factor.empty()) {
-            add(text_box({frame.right, baseline}, ticks.factor,
-                         {.size = tick_text, .colour = ink, .horizontal = Anchor::right}, measure_));
-            width = frame.width() - 2 * (measure_(ticks.factor, tick_text).width + label_gap);
+        x_label(frame.bottom + std::max(depth, plan_.tick_depth_x) + label_gap, labelled);
+    }
+
+    /// The axis label, and the factor at the right end: on one line if both fit.
+    void x_label(double top, bool labelled) {
+        const Rect& frame = result_.layout.frame;
+        const std::string& factor = result_.layout.x_ticks.factor;
+        double baseline = top + cap_height * label_text;
+        std::vector<std::string> lines;
+        if (plan_.x_labels) lines = wrapped(panel_.x.label, label_text, frame.width(), measure_);
+        if (labelled && !factor.empty()) {
+            const TextStyle style{.size = tick_text, .colour = ink, .horizontal = Anchor::right};
+            add(text_box({frame.right, baseline}, factor, style, measure_));
+            const double beside = frame.width() - 2 * (measure_(factor, tick_text).width + label_gap);
+            if (widest(lines, label_text) > beside) baseline += line_height * label_text;
         }
-        if (!plan_.x_labels) return;
-        const auto lines = wrapped(panel_.x.label, label_text, width, measure_);
         for (std::size_t k = 0; k < lines.size(); ++k)
             add(text_box({(frame.left + frame.right) / 2,
                           baseline + static_cast<double>(k) * line_height * label_text},
                          lines[k], centred(label_text), measure_));
+    }
+
+    double widest(const std::vector<std::string>& lines, double size) const {
+        double width = 0;
+        for (const auto& line : lines) width = std::max(width, measure_(line, size).width);
+        return width;
     }
 
     void y_axis() {
@@ -100,7 +129,7 @@ class Composer {
         result_.tick_depth_y = depth;
         depth = std::max(depth, plan_.tick_depth_y);
         if (!plan_.y_labels) return;
-        const auto lines = wrapped(panel_.y.label, label_text, frame.height() + 2 * tick_text, measure_);
+        const auto lines = wrapped(panel_.y.label, label_text, frame.height(), measure_);
         TextStyle style = centred(label_text);
         style.angle = 90;
         for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -132,29 +161,39 @@ class Composer {
         core_ = united(core_, layout.legend.box);
     }
 
+    /// The letter at the left end of the cell, the title centred over the frame: beside each other if the
+    /// title can be made to fit, by breaking and shrinking it, else the title above the letter.
     void title(double cell_left, double cell_right) {
         const Rect frame = result_.layout.frame;
-        const double baseline = frame.top - title_gap - plan_.title_lift;
-        double free_left = cell_left;
-        if (!plan_.letter.empty()) {
-            const TextBox letter =
-                text_box({cell_left, baseline}, plan_.letter, {.size = title_text, .colour = ink}, measure_);
-            free_left = letter.box.right + 0.6 * title_text;
-            core_.top = std::min(core_.top, letter.box.top);
-            result_.layout.texts.push_back(letter);
-        }
         const double centre = (frame.left + frame.right) / 2;
-        const double width = std::max(60.0, 2 * std::min(centre - free_left, cell_right - centre));
+        const auto room = [&](double left) { return 2 * std::min(centre - left, cell_right - centre); };
+        constexpr double smallest = 0.75;  // of the usual size
+        double baseline = frame.top - title_gap - plan_.title_lift;
+        double width = std::max(60.0, room(cell_left));
+        if (!plan_.letter.empty()) {
+            const TextStyle style{.size = title_text, .colour = ink};
+            const TextBox letter = text_box({cell_left, baseline}, plan_.letter, style, measure_);
+            add_above(letter);
+            const double beside = room(letter.box.right + 0.6 * title_text);
+            const auto lines = wrapped(panel_.title, title_text, beside, measure_);
+            if (smallest * widest(lines, title_text) <= beside)
+                width = beside;
+            else
+                baseline = letter.box.top - 0.4 * title_text;
+        }
         const auto lines = wrapped(panel_.title, title_text, width, measure_);
-        double widest = 1;
-        for (const auto& line : lines) widest = std::max(widest, measure_(line, title_text).width);
-        const double size = title_text * std::clamp(width / widest, 0.6, 1.0);
+        const double size =
+            title_text * std::clamp(width / std::max(1.0, widest(lines, title_text)), 0.6, 1.0);
         for (std::size_t k = 0; k < lines.size(); ++k) {
             const double up = static_cast<double>(lines.size() - 1 - k) * line_height * size;
-            const TextBox text = text_box({centre, baseline - up}, lines[k], centred(size), measure_);
-            core_.top = std::min(core_.top, text.box.top);
-            result_.layout.texts.push_back(text);
+            add_above(text_box({centre, baseline - up}, lines[k], centred(size), measure_));
         }
+    }
+
+    /// Only the top margin must hold it.
+    void add_above(TextBox text) {
+        core_.top = std::min(core_.top, text.box.top);
+        result_.layout.texts.push_back(std::move(text));
     }
 
     const PanelPlan& plan_;

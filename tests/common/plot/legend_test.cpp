@@ -123,3 +123,13 @@ TEST_CASE("notes and labels of slopes avoid the legend and each other") {
     CHECK(data.covered(layout.slopes[0].label->box) <
           0.2);  // its box is that of rotated text: corners are empty
 }
+
+TEST_CASE("labels of coinciding slopes stand apart") {
+    Panel panel;
+    panel.log_log();
+    panel.curve({1, 100}, {1e-3, 1e3});
+    for (int k = 0; k < 2; ++k) panel.slope(0, 1, 100, 1, "order 0");
+    const auto slopes = laid_out(panel).panels[0].slopes;
+    // Fails if labels are not entered into the occupancy.
+    CHECK_FALSE(overlap(slopes[0].label->box, slopes[1].label->box));
+}

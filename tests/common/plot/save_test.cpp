@@ -120,7 +120,7 @@ TEST_CASE("data lie where the axes say") {
 
 TEST_CASE("a field shows its values, contours where they are") {
     Figure figure{"field"};
-    Field field{.x = {0, 1}, .y = {0, 1}, .value = {0, 1, 0, 1}, .contours = {0.75}, .bar = {.shown = false}};
+    Field field{.x = {0, 1}, .y = {0, 2}, .value = {0, 1, 0, 1}, .contours = {0.75}, .bar = {.shown = false}};
     figure.panel().field(field);
     Canvas canvas;
     const Image image = draw(canvas, figure);
