@@ -37,7 +37,7 @@ Timing FigureRun::time(const std::function<void()>& work) {
         const double seconds = thread_cpu_seconds() - start;
         return {seconds, seconds, 1};
     }
-    return settings_.quick ? report::time(work, 3, 0.002) : report::time(work);
+    return settings_.quick ? report::time(work, 3, 0.002) : report::time(work, 5, 0.004);
 }
 
 void FigureRun::write(const std::string& file_name, const std::string& text) {

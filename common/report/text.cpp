@@ -76,8 +76,18 @@ std::string number(double value, int digits) {
     return exponent < 6 && std::stod(scientific) == value ? fixed : scientific;
 }
 
+std::string fixed(double value, int decimals) {
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    const bool zero = text.find_first_of("123456789") == std::string::npos;
+    return zero && text.front() == '-' ? text.substr(1) : text;
+}
+
 std::string timing(double value, int digits) {
-    return "≈" + number(value, digits);
+    if (!(value >= 1 && value < 1e6)) return "≈" + number(value, digits);
+    const double unit = std::pow(10, std::floor(std::log10(value)) + 1 - digits);
+    const double rounded = unit * std::round(value / unit);
+    return "≈" +
+           fmt::format("{:.{}f}", rounded, unit < 1 ? static_cast<int>(std::round(-std::log10(unit))) : 0);
 }
 
 std::string fill(const std::string& markdown, const Blocks& blocks, bool shows_all) {

@@ -10,8 +10,10 @@ namespace report {
 /// ("1.2e4"), unless `value` is just that whole number, below a million ("12000"). Zero is "0", what is not
 /// finite "nan", "inf" or "-inf".
 std::string number(double value, int digits);
+/// `value` with `decimals` (0..15) digits after the point; never "-0.0".
+std::string fixed(double value, int decimals);
 /// A measured time or speed: "≈" and the number. Filled into texts, never compared: it differs from run to
-/// run.
+/// run. From 1 to a million in plain digits: "≈2.4", "≈240", "≈15000".
 std::string timing(double value, int digits = 2);
 
 /// A table, printed as GitHub Markdown; numbers are right-aligned.

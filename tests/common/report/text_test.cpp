@@ -34,7 +34,16 @@ TEST_CASE("numbers with significant digits") {
     CHECK(number(-0.0, 3) == "0");
     CHECK(number(std::nan(""), 2) == "nan");
     CHECK(number(-std::numeric_limits<double>::infinity(), 2) == "-inf");
+    // Fails if a timing falls back to powers of ten below a million, or if fixed() keeps the sign of a zero.
     CHECK(report::timing(0.0123) == "≈0.012");
+    CHECK(report::timing(2.44) == "≈2.4");
+    CHECK(report::timing(237.4) == "≈240");
+    CHECK(report::timing(15312) == "≈15000");
+    CHECK(report::timing(9.99) == "≈10.0");
+    CHECK(report::timing(3.1e7) == "≈3.1e7");
+    CHECK(report::fixed(1.996, 2) == "2.00");
+    CHECK(report::fixed(-0.004, 1) == "0.0");
+    CHECK(report::fixed(-1.02, 1) == "-1.0");
     CHECK_THROWS_AS(number(1, 0), std::invalid_argument);
     CHECK_THROWS_AS(number(1, 18), std::invalid_argument);
 }
