@@ -4,8 +4,8 @@
 /// The Gaussian and the super-Gaussian, cut off at cut * h.
 ///
 /// At the default cut = 6 what is left out is below the rounding error: exp(-36) = 2e-16. The usual cut of 3
-/// saves half of the neighbours in 1D and seven eighths in 3D, and leaves a jump of exp(-9) = 1e-4 of the
-/// maximum, which is the accuracy that it can reach; this chapter shows both.
+/// saves half of the neighbours in 1D and seven eighths in 3D, and leaves a jump of exp(-9) = 1.2e-4 of the
+/// maximum.
 namespace sph {
 
 /// exp(-q^2), sigma = pi^(-d/2) (Gingold & Monaghan 1977; Chen 2017, 53).

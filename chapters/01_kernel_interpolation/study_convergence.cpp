@@ -9,7 +9,7 @@ namespace sph {
 namespace {
 
 struct Series {
-    std::string name, label;
+    std::string name, label, plain;  // in results, in figures, in tables
     Arrangement arrangement;
     bool growing_h;  // h shrinks like sqrt(dx), so that the number of neighbours grows
     plot::Marker marker;
@@ -17,10 +17,10 @@ struct Series {
 
 const std::vector<Series>& all_series() {
     static const std::vector<Series> series{
-        {"even", "even", Arrangement::even, false, plot::Marker::circle},
-        {"jittered", "jittered", Arrangement::jittered, false, plot::Marker::square},
-        {"random", "random", Arrangement::random, false, plot::Marker::triangle_up},
-        {"jittered-growing", "jittered, $h$ ∝ d$x$^{1/2}", Arrangement::jittered, true,
+        {"even", "even", "even", Arrangement::even, false, plot::Marker::circle},
+        {"jittered", "jittered", "jittered", Arrangement::jittered, false, plot::Marker::square},
+        {"random", "random", "random", Arrangement::random, false, plot::Marker::triangle_up},
+        {"jittered-growing", "jittered, $h$ ∝ d$x$^{1/2}", "jittered, h ∝ √dx", Arrangement::jittered, true,
          plot::Marker::diamond}};
     return series;
 }
@@ -76,7 +76,7 @@ void convergence_row(report::Run& run, plot::Figure& figure, const Options& opti
         const Measured m = measure<d>(series, resolutions(run.quick(), d), options, run.seed());
         const std::string method = series.name + "-" + std::to_string(d) + "d";
         const plot::Style style = series_style(series, index++);
-        std::vector<std::string> cells{std::to_string(d) + "D, " + series.name};
+        std::vector<std::string> cells{std::to_string(d) + "D, " + series.plain};
         const std::array<const plot::Values*, 3> errors{&m.value, &m.gradient, &m.laplacian};
         const std::array names{"value", "gradient", "laplacian"};
         for (std::size_t k = 0; k < 3; ++k) {
@@ -87,7 +87,7 @@ void convergence_row(report::Run& run, plot::Figure& figure, const Options& opti
             run.result(method, static_cast<long>(m.n[last]), std::string{"l2_"} + names[k],
                        (*errors[k])[last]);
             run.result(method, static_cast<long>(m.n[last]), std::string{"rate_"} + names[k], order);
-            cells.push_back(report::number((*errors[k])[last], 2) + " (" + report::number(order, 2) + ")");
+            cells.push_back(report::number((*errors[k])[last], 2) + " (" + report::fixed(order, 1) + ")");
         }
         table.row(cells);
     }

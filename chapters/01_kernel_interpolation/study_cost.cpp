@@ -55,13 +55,16 @@ Samples cost_panel(report::Run& run, plot::Panel& panel, const CostPanel& which)
         }
         panel.curve(time, error, kernel_style(index++, kernel_label(K::name), true));
     });
+    if (d == 2 && which.arrangement != Arrangement::even) return samples;  // differences need a lattice
     for (const Competitor& c :
          d == 1 ? differences_1d(run, which.arrangement, n, 0.2) : differences_2d(run, n)) {
+        const bool fourth = c.name == "central-4";
         panel.points({c.ns}, {c.error},
-                     {.label = c.label,
+                     {.label = fourth ? "" : "differences, 2nd order",
                       .colour = plot::Colour{0, 0, 0},
-                      .marker = c.name == "central-4" ? plot::Marker::cross : plot::Marker::plus,
+                      .marker = fourth ? plot::Marker::cross : plot::Marker::plus,
                       .marker_size = 8});
+        if (fourth) panel.note(1.5 * c.ns, c.error, "differences, 4th order");
         run.result(which.name + " " + c.name, static_cast<long>(n), "l2_gradient", c.error);
         run.result(which.name + " " + c.name, static_cast<long>(n), "cpu_ns_per_point", c.ns, "ns");
         samples.push_back({c.name, 0, 0, c.error, c.ns});
@@ -74,8 +77,8 @@ bool is_difference(const Sample& sample) {
 }
 
 std::string described(const Sample& s) {
-    return kernel_label(s.kernel) + ", h = " + report::number(s.h_over_dx, 2) + " dx (" +
-           report::number(s.pairs, 2) + " pairs, " + report::timing(s.ns) + " ns)";
+    return kernel_label(s.kernel) + ", h = " + report::fixed(s.h_over_dx, 1) + " dx (" +
+           report::fixed(s.pairs, 0) + " pairs, " + report::timing(s.ns) + " ns)";
 }
 
 /// The sample with the fewest pairs among those that reach `error`; pairs, unlike seconds, are the same
@@ -105,7 +108,7 @@ std::string differences(const Samples& samples) {
         text += (text.empty() ? "" : "; ") + s.kernel + ": " + report::number(s.error, 2) + ", " +
                 report::timing(s.ns) + " ns";
     }
-    return text;
+    return text.empty() ? "need a lattice" : text;
 }
 
 /// The table that answers the chapter's question about cost: rows are error bounds, columns the four panels.
@@ -115,7 +118,7 @@ std::string answer(const std::array<Samples, 4>& samples) {
         table.row({name, cell(samples[0]), cell(samples[1]), cell(samples[2]), cell(samples[3])});
     };
     for (const double bound : {0.05, 0.025, 0.01, 0.001}) {
-        row("≤ " + report::number(100 * bound, 2) + " %",
+        row("≤ " + report::fixed(100 * bound, 1) + " %",
             [&](const Samples& s) { return cheapest(s, bound); });
     }
     row("the smallest", most_accurate);

@@ -24,7 +24,7 @@ void orders(report::Run& run, plot::Panel& panel, std::vector<std::vector<std::s
         panel.curve(kh, error, kernel_style(index, kernel_label(K::name)));
         const double order = -report::observed_order(kh[2], error[2], kh[6], error[6]);
         run.result(std::string{K::name}, d, "rate_wave", order);
-        rows[index++].push_back(report::number(order, 3));
+        rows[index++].push_back(report::fixed(order, 2));
     });
 }
 

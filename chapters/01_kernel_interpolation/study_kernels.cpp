@@ -109,8 +109,8 @@ void kernel_shapes(report::Run& run) {
         table.row({kernel_label(K::name), report::number(K::support, 2) + " h",
                    report::number(in_1d.sigma, 6), report::number(in_2d.sigma, 6),
                    report::number(in_3d.sigma, 6), moment(second_moment(in_1d)), moment(second_moment(in_2d)),
-                   moment(second_moment(in_3d)), report::number(neighbours(in_1d), 2),
-                   report::number(neighbours(in_2d), 2), report::number(neighbours(in_3d), 3)});
+                   moment(second_moment(in_3d)), report::fixed(neighbours(in_1d), 0),
+                   report::fixed(neighbours(in_2d), 0), report::fixed(neighbours(in_3d), 0)});
         const std::string name{K::name};
         run.result(name, 1, "norm_error", norm(in_1d) - 1);
         run.result(name, 2, "norm_error", norm(in_2d) - 1);

@@ -88,11 +88,11 @@ class Table {
 }  // namespace
 
 void kernels(report::Run& run) {
-    report::Table table{{"kernel", "form", "ns a pair, W and F", "times the piecewise ifs"}};
+    report::Table table{{"kernel", "form", "ns a pair, W and F", "faster than piecewise ifs by"}};
     plot::Figure figure{"kernels"};
     plot::Panel& panel = figure.panel().titled("$W$ and $F$ together, 3D, one core").log_x();
-    panel.labels("CPU time a pair [ns]", "").y_range(0, 15);
-    panel.y.tick_labels = false;
+    panel.labels("CPU time a pair [ns]", "").y_range(0, 15).x_range(0.1, 10);
+    figure.panel_width = 520;
     double naive = 0, row = 14;
     const auto add = [&](const std::string& kernel, const std::string& form,
                          const std::function<void()>& work) {
@@ -103,7 +103,8 @@ void kernels(report::Run& run) {
         table.row({kernel, form, report::timing(speed.median_ns), report::timing(naive / speed.median_ns)});
         panel.points({speed.median_ns}, {row},
                      {.colour = plot::cycle(form == "tiles" ? 0 : 1), .marker = plot::Marker::circle});
-        panel.note(speed.median_ns * 1.15, row, kernel + ", " + form);
+        panel.y.ticks.push_back(row);
+        panel.y.tick_names.push_back(kernel + ", " + form);
         row -= 1;
     };
     using Cubic = sph::CubicSpline<3>;
