@@ -2,6 +2,7 @@
 
 #include "chapters/01_kernel_interpolation/interpolation.hpp"
 #include "chapters/01_kernel_interpolation/test_function.hpp"
+#include "common/app/parallel.hpp"
 
 namespace sph {
 namespace {
@@ -41,17 +42,22 @@ template <int d>
 Estimates<d> estimates_at_particles(const Setting& setting) {
     Estimates<d> e;
     with_interpolation<d>(setting, [&](const auto& A) {
-        for (std::size_t i = 0; i < A.size(); ++i) {
-            const auto [v, p, g, w, t, b] = A.template at<Value, PlainGradient, DifferenceGradient,
-                                                          DensityGradient, TwiceDifferentiated, Brookshaw>(i);
-            e.x.push_back(A.position(i));
-            e.value.push_back(v[0]);
-            e.plain.push_back(p);
-            e.gradient.push_back(g);
-            e.weighted.push_back(w);
-            e.twice.push_back(t[0]);
-            e.laplacian.push_back(b[0]);
-        }
+        for (auto* scalars : {&e.value, &e.twice, &e.laplacian}) scalars->resize(A.size());
+        for (auto* vectors : {&e.x, &e.plain, &e.gradient, &e.weighted}) vectors->resize(A.size());
+        app::parallel_for(A.size(), setting.threads, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto [v, p, g, w, t, b] =
+                    A.template at<Value, PlainGradient, DifferenceGradient, DensityGradient,
+                                  TwiceDifferentiated, Brookshaw>(i);
+                e.x[i] = A.position(i);
+                e.value[i] = v[0];
+                e.plain[i] = p;
+                e.gradient[i] = g;
+                e.weighted[i] = w;
+                e.twice[i] = t[0];
+                e.laplacian[i] = b[0];
+            }
+        });
     });
     return e;
 }

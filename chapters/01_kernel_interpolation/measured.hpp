@@ -17,6 +17,7 @@ struct Setting {
     double h_over_dx = 1.2;
     double jitter = 0.2;
     std::uint64_t seed = 1;
+    int threads = 1;  // of the estimates; results do not depend on it
 };
 
 /// Every estimate of interpolation.hpp but the tensor, at every particle.

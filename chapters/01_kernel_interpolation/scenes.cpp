@@ -53,9 +53,9 @@ plot::Figure figure_of(const Estimates<d>& e, const std::string& kernel) {
 
 template <int d>
 void interpolate_in(report::Run& run, const Options& options) {
-    const auto estimates = estimates_at_particles<d>({options.kernel, arrangement_named(options.arrangement),
-                                                      static_cast<std::size_t>(options.particles),
-                                                      options.h_over_dx, options.jitter, run.seed()});
+    const auto estimates = estimates_at_particles<d>(
+        {options.kernel, arrangement_named(options.arrangement), static_cast<std::size_t>(options.particles),
+         options.h_over_dx, options.jitter, run.seed(), run.threads()});
     const Errors errors = errors_of(estimates);
     const auto n = static_cast<long>(estimates.x.size());
     run.result(options.kernel, n, "l2_value", errors.value);
@@ -87,7 +87,8 @@ Arrangement arrangement_named(const std::string& name) {
 }
 
 void Options::declare(app::CommandLine& line) {
-    line.choice("kernel", kernel, kernel_names(), "smoothing kernel")
+    line.choice("kernel", kernel, kernel_names(),
+                "smoothing kernel of the scenes and of the figures that show one kernel")
         .number("h-over-dx", h_over_dx, {0.5, 8}, "spacings", "smoothing length h")
         .number("jitter", jitter, {0, 1}, "spacings", "largest random shift of a particle along each axis")
         .integer("particles", particles, 8, 1024, "particles along each side of the unit box")

@@ -33,7 +33,7 @@ struct Measured {
 /// curve.
 template <int d>
 Measured measure(const Series& series, const std::vector<std::size_t>& sides, const Options& options,
-                 unsigned long seed) {
+                 const report::Run& run) {
     Measured m;
     for (const std::size_t n : sides) {
         const double growth = std::sqrt(static_cast<double>(n) / static_cast<double>(sides.front()));
@@ -41,8 +41,9 @@ Measured measure(const Series& series, const std::vector<std::size_t>& sides, co
         const int sets = series.arrangement == Arrangement::even ? 1 : 4;
         Errors sum;
         for (int set = 0; set < sets; ++set) {
-            const Errors e = errors_of<d>(Setting{options.kernel, series.arrangement, n, h_over_dx,
-                                                  options.jitter, seed + static_cast<unsigned long>(set)});
+            const Errors e =
+                errors_of<d>(Setting{options.kernel, series.arrangement, n, h_over_dx, options.jitter,
+                                     run.seed() + static_cast<unsigned long>(set), run.threads()});
             sum.value += square(e.value) / sets;
             sum.gradient += square(e.gradient) / sets;
             sum.laplacian += square(e.laplacian) / sets;
@@ -73,7 +74,7 @@ template <int d>
 void convergence_row(report::Run& run, plot::Figure& figure, const Options& options, report::Table& table) {
     std::size_t index = 0;
     for (const Series& series : all_series()) {
-        const Measured m = measure<d>(series, resolutions(run.quick(), d), options, run.seed());
+        const Measured m = measure<d>(series, resolutions(run.quick(), d), options, run);
         const std::string method = series.name + "-" + std::to_string(d) + "d";
         const plot::Style style = series_style(series, index++);
         std::vector<std::string> cells{std::to_string(d) + "D, " + series.plain};
@@ -124,7 +125,7 @@ void second_derivatives(report::Run& run, const Options& options) {
                      "relative $L$_{2} error of ∇^{2}$A$");
         for (const std::size_t s : {std::size_t{0}, std::size_t{1}}) {
             const Series& series = all_series()[s];
-            const Measured m = measure<d>(series, resolutions(run.quick(), d), options, run.seed());
+            const Measured m = measure<d>(series, resolutions(run.quick(), d), options, run);
             const bool even = series.arrangement == Arrangement::even;
             panel.curve(m.n, m.twice,
                         {.label = "(2.21), " + series.name,

@@ -68,7 +68,8 @@ void test_function(report::Run& run, const Options& options) {
     figure.panel_width = 330;
     figure.panel_height = 250;
     Setting setting{options.kernel,    Arrangement::even, static_cast<std::size_t>(options.particles),
-                    options.h_over_dx, options.jitter,    run.seed()};
+                    options.h_over_dx, options.jitter,    run.seed(),
+                    run.threads()};
     std::vector<Errors> errors;
     int row = 0;
     for (const std::string arrangement : {"even", "jittered"}) {
@@ -106,7 +107,7 @@ void interpolation_map(report::Run& run, const Options& options) {
     plot::Figure figure{"map", 1, 2};
     figure.panel_width = 330;
     figure.panel_height = 330;
-    const std::size_t pixels = run.quick() ? 61 : 151;
+    const std::size_t pixels = run.quick() ? 61 : 101;
     plot::Field value{
         .name = "interpolant", .x = linear_space(0, 1, pixels), .y = linear_space(0, 1, pixels)};
     std::vector<Vector<2>> positions;

@@ -68,7 +68,7 @@ void shape_panels(plot::Figure& figure, int row) {
     std::size_t index = 0;
     for_each_kernel<d>([&](auto kernel) {
         using K = decltype(kernel);
-        const plot::Values q = linear_space(0, std::min(K::support, 3.2), 321);
+        const plot::Values q = linear_space(0, std::min(K::support, 3.2), 161);
         plot::Values w, dw, d2w, dh;
         for (const double r : q) {
             w.push_back(K::W(r, 1));
@@ -130,7 +130,7 @@ void fourier_transforms(report::Run& run) {
     for_each_kernel<1>([&](auto kernel) {
         using K = decltype(kernel);
         const plot::Style style = kernel_style(index++, kernel_label(K::name));
-        const plot::Values fine = linear_space(0, 26, 1301), coarse = linear_space(0, 8, 17);
+        const plot::Values fine = linear_space(0, 26, 651), coarse = linear_space(0, 8, 17);
         plot::Values closed, size, measured;
         for (const double kh : fine) {
             closed.push_back(transform(kernel, kh));
