@@ -118,8 +118,9 @@ double transform_derivative(K kernel, double kappa) {
 }
 
 /// 2 sum_{r >= 1} term(2 pi r h/dx): the error that Poisson's summation formula gives for a sum over even
-/// particles (Monaghan 2005, 2.38). The terms fall at least like r^-3 and are summed until they are below
-/// rounding.
+/// particles (Monaghan 2005, 2.38). The terms of the constant and the slope fall at least like r^-3 and are
+/// summed until they are below rounding. Those of the curvature fall like r^-2 for the cubic spline, Lucy and
+/// C2; there the sum is cut off at 40,000 terms and good to about 1e-5.
 template <class Term>
 double poisson_sum(double h_over_dx, Term&& term) {
     constexpr int most_terms = 40000;
@@ -141,10 +142,10 @@ double constant_error(K kernel, double h_over_dx, double offset = 0) {
         return transform(kernel, kappa) * std::cos(kappa / h_over_dx * offset);
     });
 }
-/// Relative error of the derivative (2.14) of a straight line at an even particle (2.43-2.44: as printed in
-/// our copy the limit of the integral and the sum over r are lost; it is -2 sum_r int q W' cos(2 pi r q/dx)
-/// dq, and integration by parts turns each integral into -(W^ + kappa dW^/dkappa)). Brookshaw's second
-/// derivative of a parabola has exactly the same error: both are -dx sum_j x_j W'(x_j).
+/// Relative error of the derivative (2.14) of a straight line at an even particle (2.43-2.44; in our copy the
+/// lower limit of 2.43 is garbled and the factor 2 of 2.44, compare 2.40, is missing): -2 sum_r int q W'
+/// cos(2 pi r q/dx) dq, and integration by parts turns each integral into -(W^ + kappa dW^/dkappa).
+/// Brookshaw's second derivative of a parabola has exactly the same error: both are -dx sum_j x_j W'(x_j).
 template <class K>
 double slope_error(K kernel, double h_over_dx) {
     return poisson_sum(h_over_dx, [&](double kappa) {

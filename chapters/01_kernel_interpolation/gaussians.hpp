@@ -3,7 +3,7 @@
 
 /// The Gaussian and the super-Gaussian, cut off at cut * h.
 ///
-/// At the default cut = 6 what is left out is below the rounding error: exp(-36) = 2e-16. The usual cut of 3
+/// At the default cut = 6 what is left out is exp(-36) = 2e-16 of the maximum. The usual cut of 3
 /// saves half of the neighbours in 1D and seven eighths in 3D, and leaves a jump of exp(-9) = 1.2e-4 of the
 /// maximum.
 namespace sph {
@@ -34,7 +34,7 @@ struct Gaussian : Kernel<Gaussian<d, cut>, d> {
 
 /// (d/2 + 1 - q^2) exp(-q^2), sigma = pi^(-d/2): its second moment vanishes, so the integral interpolant is
 /// of fourth order; the price is a negative ring around q^2 = d/2 + 2. (Monaghan 2005, 2.37, and Chen 2017,
-/// 68, print the one-dimensional form 3/2 - q^2 for every d; in 2D that is not even normalised.)
+/// 68, print the form for one dimension, 3/2 - q^2; in 2D that integrates to 1/2.)
 template <int d, int cut = 6>
 struct SuperGaussian : Kernel<SuperGaussian<d, cut>, d> {
     static constexpr std::string_view name = "super-gaussian";

@@ -18,7 +18,7 @@ using Tile = Eigen::Array<double, tile_width, 1>;
 /// compiler removes.
 template <int d>
 struct Pairs {
-    double A_i, rho_i;
+    double A_i = 0, rho_i = 0;
     std::array<Tile, d> x_ij;  ///< x_i - x_j
     Tile r, W, F, d2W;         ///< distance, W, gradient factor (grad_i W = x_ij F), d2W/dr2
     Tile m, V, A;              ///< of j: mass, volume m/rho, the interpolated quantity
@@ -124,8 +124,8 @@ class Interpolation {
         return evaluate<Estimates...>(position(i), value_[i], density_[i]);
     }
     /// The listed estimates at any position in the box; A_i and rho_i are used by those that take
-    /// differences. Cost: the particles in the cells around the position, 2.1 (1D) to 6.7 (3D) times those in
-    /// the support.
+    /// differences. Cost: the particles in the cells around the position, 1.1 (1D), 2 (2D) or 6.4 (3D) times
+    /// those in the support.
     template <class... Estimates>
     auto evaluate(const Vector<d>& x, double A_i = 0, double rho_i = 1) const;
     /// sum_j m_j W(x - x_j)   (2.9)

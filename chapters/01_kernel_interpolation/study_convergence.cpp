@@ -118,7 +118,7 @@ void convergence(report::Run& run, const Options& options) {
 
 void second_derivatives(report::Run& run, const Options& options) {
     plot::Figure figure{"second-derivatives", 1, 2};
-    report::Table table{{"particles, N along a side", "twice differentiated (2.21)", "Brookshaw (2.24)"}};
+    report::Table table{{"particles along a side", "twice differentiated (2.21)", "Brookshaw (2.24)"}};
     const auto draw = [&]<int d>(std::integral_constant<int, d>) {
         plot::Panel& panel = figure.at(0, d - 1).titled(std::to_string(d) + "D").log_log();
         panel.labels(d == 1 ? "particles $N$" : "particles along a side, $N$^{1/2}",

@@ -76,9 +76,10 @@ bool is_difference(const Sample& sample) {
     return sample.h_over_dx == 0;
 }
 
+/// "cubic 1.0 dx: 4, ≈36 ns": kernel, h, pairs and time a point.
 std::string described(const Sample& s) {
-    return kernel_label(s.kernel) + ", h = " + report::fixed(s.h_over_dx, 1) + " dx (" +
-           report::fixed(s.pairs, 0) + " pairs, " + report::timing(s.ns) + " ns)";
+    return s.kernel + " " + report::fixed(s.h_over_dx, 1) + " dx: " + report::fixed(s.pairs, 0) + ", " +
+           report::timing(s.ns) + " ns";
 }
 
 /// The sample with the fewest pairs among those that reach `error`; pairs, unlike seconds, are the same
@@ -98,7 +99,7 @@ std::string most_accurate(const Samples& samples) {
     for (const Sample& s : samples) {
         if (!is_difference(s) && (best == nullptr || s.error < best->error)) best = &s;
     }
-    return report::number(best->error, 2) + ": " + described(*best);
+    return "**" + report::number(best->error, 2) + "** " + described(*best);
 }
 
 std::string differences(const Samples& samples) {
@@ -113,7 +114,7 @@ std::string differences(const Samples& samples) {
 
 /// The table that answers the chapter's question about cost: rows are error bounds, columns the four panels.
 std::string answer(const std::array<Samples, 4>& samples) {
-    report::Table table{{"error of the gradient", "even, 1D", "jittered, 1D", "even, 2D", "jittered, 2D"}};
+    report::Table table{{"error", "even, 1D", "jittered, 1D", "even, 2D", "jittered, 2D"}};
     const auto row = [&](const std::string& name, const auto& cell) {
         table.row({name, cell(samples[0]), cell(samples[1]), cell(samples[2]), cell(samples[3])});
     };

@@ -102,7 +102,7 @@ void kernel_shapes(report::Run& run) {
     run.save(figure);
 
     report::Table table{{"kernel", "support", "σ in 1D", "σ in 2D", "σ in 3D", "⟨x²⟩/h² in 1D", "2D", "3D",
-                         "neighbours at h = 1.2 dx in 1D", "2D", "3D"}};
+                         "n in 1D", "2D", "3D"}};
     for_each_kernel_in_all_dimensions([&](auto in_1d, auto in_2d, auto in_3d) {
         using K = decltype(in_1d);
         const auto moment = [](double m) { return std::abs(m) < 1e-9 ? "0" : report::number(m, 5); };

@@ -56,12 +56,14 @@ Worst compare(K kernel, std::size_t index, plot::Panel& constant, plot::Panel& s
     return worst;
 }
 
-/// The smallest h/dx in 0.8..4 from which on the slope of a line is right to `tolerance`.
+/// The smallest h/dx from which on, up to 12, the slope of a line is right to `tolerance`.
 template <class K>
 std::string enough_for(K kernel, double tolerance) {
-    for (double h = 4; h >= 0.8; h -= 0.01) {
-        if (std::abs(EvenSums<K>{kernel, h}.slope) > tolerance)
-            return h > 3.995 ? "> 4" : report::number(h + 0.01, 3);
+    for (int hundredths = 1200; hundredths >= 80; --hundredths) {
+        const double h = hundredths / 100.0;
+        if (std::abs(EvenSums<K>{kernel, h}.slope) > tolerance) {
+            return hundredths == 1200 ? "> 12" : report::fixed(h + 0.01, 2);
+        }
     }
     return "≤ 0.8";
 }
@@ -85,8 +87,8 @@ void summation_errors(report::Run& run) {
     constant.legend.shown = false;
     slope.legend.outside = true;
     slope.legend.title = "circles: sums";
-    report::Table table{{"kernel", "constant, h = 1.2 dx", "slope, h = 1.2 dx", "h/dx for 1 % in slope",
-                         "for 0.1 %", "for 10⁻⁶", "second derivative of 1 by (2.21), h = 1.2 dx [1/dx²]"}};
+    report::Table table{
+        {"kernel", "constant", "slope", "h/dx for 1 %", "for 0.1 %", "for 10⁻⁶", "1″ by (2.21)"}};
     std::size_t index = 0;
     for_each_kernel<1>([&](auto kernel) {
         using K = decltype(kernel);

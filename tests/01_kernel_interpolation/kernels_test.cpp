@@ -72,7 +72,8 @@ TEST_CASE("kernels are normalised") {
 }
 
 TEST_CASE("the printed forms of two kernels are not normalised in 2D") {
-    // Monaghan 2005: 15/(14 pi) for the cubic spline in 2D (2.6); 3/2 - q^2 for every dimension (2.37).
+    // Monaghan 2005: 15/(14 pi) for the cubic spline in 2D (after 2.6); the super-Gaussian (2.37), printed
+    // for 1D, taken over to 2D as it stands.
     CHECK(norm(CubicSpline<2>{}) / CubicSpline<2>::sigma * 15 / (14 * pi) == Approx(3));
     const Quadrature nodes = quadrature(Gaussian<2>{});
     double printed = 0;
