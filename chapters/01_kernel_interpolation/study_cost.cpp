@@ -140,6 +140,22 @@ void fill_identity(report::Run& run, const Samples& even) {
     run.fill("identity-price", report::timing(cubic.ns / central.ns));
 }
 
+/// What every kernel of second order can reach, over all h/dx: the smallest errors of the best and the worst
+/// kernel.
+void fill_limits(report::Run& run, const Samples& jittered) {
+    double low = 1e300, high = 0;
+    for (const std::string& kernel : kernel_names()) {
+        if (kernel == "super-gaussian") continue;
+        double best = 1e300;
+        for (const Sample& s : jittered) {
+            if (s.kernel == kernel) best = std::min(best, s.error);
+        }
+        low = std::min(low, best);
+        high = std::max(high, best);
+    }
+    run.fill("second-order-limits", report::fixed(100 * low, 1) + " to " + report::fixed(100 * high, 1));
+}
+
 }  // namespace
 
 void cost(report::Run& run) {
@@ -162,6 +178,7 @@ void cost(report::Run& run) {
     run.save(figure);
     run.fill("cost", answer(samples));
     fill_identity(run, samples[0]);
+    fill_limits(run, samples[3]);
 }
 
 }  // namespace sph

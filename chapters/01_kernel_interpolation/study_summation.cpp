@@ -56,13 +56,14 @@ Worst compare(K kernel, std::size_t index, plot::Panel& constant, plot::Panel& s
     return worst;
 }
 
-/// The smallest h/dx from which on, up to 12, the slope of a line is right to `tolerance`.
+/// The smallest h/dx from which on, up to 12.5 (where no spline has a zero), the slope of a line is right to
+/// `tolerance`; "> 12" if there is none below 12.
 template <class K>
 std::string enough_for(K kernel, double tolerance) {
-    for (int hundredths = 1200; hundredths >= 80; --hundredths) {
+    for (int hundredths = 1250; hundredths >= 80; --hundredths) {
         const double h = hundredths / 100.0;
         if (std::abs(EvenSums<K>{kernel, h}.slope) > tolerance) {
-            return hundredths == 1200 ? "> 12" : report::fixed(h + 0.01, 2);
+            return hundredths >= 1200 ? "> 12" : report::fixed(h + 0.01, 2);
         }
     }
     return "≤ 0.8";
