@@ -5,6 +5,7 @@
 
 #include "chapters/01_kernel_interpolation/kernels.hpp"
 #include "chapters/01_kernel_interpolation/particles.hpp"
+#include "common/app/program.hpp"
 
 /// The summation interpolant and its derivatives (Monaghan 2005, 2.8-2.31): each estimate is a small type
 /// whose term reads like its equation; evaluate() sums those that are listed, in one pass, and nothing else.
@@ -160,7 +161,10 @@ Interpolation<K>::Interpolation(const Columns<d>& points, double h, Function&& A
     for (std::size_t a = 0; a < d; ++a) x_[a] = cells_.sorted(images_.x[a], tile_width);
     for (std::size_t i = 0; i < n_; ++i) value_.push_back(A(position(i)));
     if (summed_density) {
-        for (std::size_t i = 0; i < n_; ++i) density_[i] = summed_density_at(position(i));
+        for (std::size_t i = 0; i < n_; ++i) {
+            app::check_interrupt();  // Ctrl-C: a million particles take seconds
+            density_[i] = summed_density_at(position(i));
+        }
     }
     std::vector<double> V, A_images;
     for (const std::size_t i : images_.owner) {

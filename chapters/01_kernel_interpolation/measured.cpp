@@ -46,6 +46,7 @@ Estimates<d> estimates_at_particles(const Setting& setting) {
         for (auto* vectors : {&e.x, &e.plain, &e.gradient, &e.weighted}) vectors->resize(A.size());
         app::parallel_for(A.size(), setting.threads, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
+                app::check_interrupt();
                 const auto [v, p, g, w, t, b] =
                     A.template at<Value, PlainGradient, DifferenceGradient, DensityGradient,
                                   TwiceDifferentiated, Brookshaw>(i);

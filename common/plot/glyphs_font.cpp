@@ -65,7 +65,8 @@ Font::Font() : handle_{std::make_unique<Handle>()} {
     const std::string file = font_file();
     FT_Face face = nullptr;
     if (FT_New_Face(library, file.c_str(), 0, &face) != 0)
-        throw app::IoError{"cannot read the font " + file + "; on Debian: apt-get install fonts-dejavu-core"};
+        throw app::IoError{"cannot read the font " + file +
+                           "; on Debian: apt-get install fonts-dejavu-core, or name another in SPH_FONT"};
     handle_->face.reset(face);
     if (!FT_IS_SCALABLE(face)) throw app::IoError{"the font " + file + " has no outlines"};
 }

@@ -140,14 +140,16 @@ Settings Chapter::Implementation::chosen_settings() const {
     return chosen;
 }
 
-/// The results of an earlier run, which a run of one figure must not drop.
+/// The results of an earlier run, which a run of one figure or scene must not drop.
 Results Chapter::Implementation::older_results() const {
     const auto path = settings.out / "results.csv";
     if (!std::filesystem::exists(path)) return {};
+    // Reading a pipe would wait for ever; a folder would be noticed only after the first figure.
+    if (!std::filesystem::is_regular_file(path)) throw app::IoError{path.string() + " is not a regular file"};
     try {
         return Results::parse(app::read_file(path));
     } catch (const std::invalid_argument& error) {
-        if (only.empty()) return {};  // a full run replaces the file in any case
+        if (only.empty() && scene.empty()) return {};  // a full run replaces the file in any case
         throw app::IoError{"cannot read " + path.string() + ": " + error.what()};
     }
 }
@@ -200,10 +202,13 @@ void Chapter::Implementation::run_scene() {
     settings.metadata.command = place.command + " --scene " + scene;
     if (settings.metadata.parameters != "default")
         settings.metadata.command += " " + settings.metadata.parameters;
+    const Results older = older_results();
     FigureRun figure_run{scene, settings, studio, blocks};
     entry.make(figure_run);
     if (figure_run.results().rows().empty()) return;
-    figure_run.results().write(settings.out / "results.csv");
+    Results all = figure_run.results();
+    all.merge_older(older);
+    all.write(settings.out / "results.csv");
     app::write_stdout(figure_run.results().csv());
 }
 

@@ -1,4 +1,5 @@
 // The chapter's program as a reader calls it: bad input gets one line and the right exit status.
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -96,6 +97,9 @@ TEST_CASE("what cannot be written is said before anything is computed") {
     check_refused("--only kernels --out " + folder.path.string(), 4, "fonts-dejavu-core",
                   "SPH_FONT=/nonexistent.ttf");
     CHECK(folder.files() == 0);
+    // A pipe in the place of the results: reading it would wait for ever.
+    REQUIRE(mkfifo((folder.path / "results.csv").c_str(), 0600) == 0);
+    check_refused("--quick --only kernels --out " + folder.path.string(), 4, "results.csv");
     // Standard output on a full disk.
     const Outcome full = run("--scene kernel --out " + folder.path.string() + " > /dev/full");
     CHECK(full.status == 4);
@@ -119,6 +123,9 @@ TEST_CASE("one figure of a run: its picture, its data, its results, and nothing 
     const std::string results = read(folder.path / "results.csv");
     CHECK(results.find("integral-error,cubic,1,rate_wave") != std::string::npos);
     CHECK(results.find("map,cubic,1024,l2_value_map") != std::string::npos);
+    // So does a scene.
+    REQUIRE(run("--scene interpolate" + out).status == 0);
+    CHECK(read(folder.path / "results.csv").rfind(results, 0) == 0);
 }
 
 TEST_CASE("a reader's scene depends on its options and on nothing else") {

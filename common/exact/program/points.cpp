@@ -26,7 +26,9 @@ std::vector<double> Points::values(const app::CommandLine& command) const {
     if (listed) return list_;
     if (!counted)
         throw app::UsageError{list_option + ": missing; give it a list, or --points N --window a,b"};
-    if (!(window_[0] < window_[1])) throw app::UsageError{"--window a,b: a must be less than b"};
+    if (!(window_[0] < window_[1]))
+        throw app::UsageError{"--window: " + std::to_string(window_[0]) + "," + std::to_string(window_[1]) +
+                              " is not allowed; allowed: a,b with a < b"};
     std::vector<double> points;
     for (long k = 0; k < count_; ++k) {
         const double part = static_cast<double>(k) / static_cast<double>(count_ - 1);
