@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "chapters/01_kernel_interpolation/finite_differences.hpp"
+#include "chapters/01_kernel_interpolation/fourier.hpp"
 #include "chapters/01_kernel_interpolation/interpolation.hpp"
 #include "chapters/01_kernel_interpolation/measured.hpp"
 #include "chapters/01_kernel_interpolation/test_function.hpp"
@@ -175,6 +176,34 @@ TEST_CASE("estimates are bitwise the same for any number of threads") {
         CHECK(many.gradient == one.gradient);
         CHECK(many.laplacian == one.laplacian);
     }
+}
+
+TEST_CASE("summed densities hide the error of a constant, mean densities show it") {
+    // Even particles, h = 1.2 dx: with rho = 1 the constant comes out as Poisson's formula says; with rho
+    // summed it comes out as 1, because m/rho divides by the same sum. Fails if either density is used for
+    // both.
+    const auto one = [](const Vector<1>&) { return 1.0; };
+    const auto x = make_points<1>(Arrangement::even, 40, 0, 1);
+    const Interpolation<CubicSpline<1>> summed{x, 1.2 / 40, one}, mean{x, 1.2 / 40, one, false};
+    CHECK(std::get<0>(summed.at<Value>(7))[0] == Approx(1).epsilon(1e-14));
+    CHECK(std::get<0>(mean.at<Value>(7))[0] - 1 ==
+          Approx(constant_error(CubicSpline<1>{}, 1.2)).epsilon(1e-9));
+}
+
+TEST_CASE("a sum visits little more than the support") {
+    // Cells of 1/8 support in 1D, 1/2 in 2D: (17/8)/2 = 1.06 and (5/2)^2/pi = 2.0 times the support. Fails if
+    // cells become as wide as the support (1.5 and 2.9).
+    const auto mean_ratio = [](const auto& A, double in_support) {
+        double pairs = 0;
+        for (std::size_t i = 0; i < A.size(); ++i) pairs += double(A.pairs_at(i));
+        return pairs / double(A.size()) / in_support;
+    };
+    const auto zero = [](const auto&) { return 0.0; };
+    const Interpolation<CubicSpline<1>> line{make_points<1>(Arrangement::random, 2000, 0, 1), 4.0 / 2000,
+                                             zero};
+    const Interpolation<CubicSpline<2>> plane{make_points<2>(Arrangement::random, 60, 0, 1), 2.0 / 60, zero};
+    CHECK(mean_ratio(line, 16) == Approx(1.06).margin(0.1));
+    CHECK(mean_ratio(plane, 16 * pi) == Approx(1.99).margin(0.1));
 }
 
 TEST_CASE("what converges and what does not") {
