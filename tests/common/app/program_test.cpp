@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
@@ -122,11 +123,13 @@ TEST_CASE("progress redraws one line on a terminal") {
             progress.begin("a name that is much too long for one line of this terminal, and goes on");
         });
     });
-    char text[4096];
-    const ssize_t count = ::read(terminal, text, sizeof text);
+    std::string shown;
+    std::array<char, 4096> text{};
+    // A terminal hands over what it holds piece by piece, and fails once the other side is closed.
+    for (ssize_t count = 0; (count = ::read(terminal, text.data(), text.size())) > 0;)
+        shown.append(text.data(), static_cast<std::size_t>(count));
     ::close(terminal);
-    REQUIRE(count > 0);
-    const std::string shown(text, static_cast<std::size_t>(count));
+    REQUIRE(!shown.empty());
     const std::string clear = "\x1b[K", seconds = "[0-9.]+ s";
     const std::string begun = "\rchapter 1 \\[\\.{24}\\] 0/2 kernels, " + seconds + "\x1b\\[K";
     const std::string done = "\rchapter 1 \\[#{12}\\.{12}\\] 1/2 kernels, " + seconds + ", about " + seconds;
