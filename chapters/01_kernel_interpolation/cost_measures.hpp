@@ -17,21 +17,13 @@ namespace sph {
 
 inline constexpr double ns = 1e9;  // in a second
 
-template <class K>
-Interpolation<K> interpolation_of(const Setting& s) {
+/// CPU nanoseconds a particle for the listed estimates with the kernel K.
+template <class K, class... Listed>
+double ns_per_point(report::Run& run, const Setting& s) {
     constexpr int d = K::dimension;
-    return {make_points<d>(s.arrangement, s.per_side, s.jitter, s.seed),
-            s.h_over_dx / static_cast<double>(s.per_side), TestFunction<d>{}};
-}
-
-/// CPU nanoseconds a particle for the listed estimates.
-template <class... Estimates, class K>
-double ns_per_point(report::Run& run, const Interpolation<K>& A) {
-    double sum = 0;
-    const report::Timing timing = run.time([&] {
-        for (std::size_t i = 0; i < A.size(); ++i) sum += std::get<0>(A.template at<Estimates...>(i))[0];
-        report::keep(sum);
-    });
+    Interpolation<K, Listed...> A{make_points<d>(s.arrangement, s.per_side, s.jitter, s.seed),
+                                  s.h_over_dx / static_cast<double>(s.per_side), TestFunction<d>{}};
+    const report::Timing timing = run.time([&] { report::keep(&A.estimate()); });
     return ns * timing.best / static_cast<double>(A.size());
 }
 

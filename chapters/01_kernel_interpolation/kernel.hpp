@@ -92,31 +92,32 @@ struct Kernel {
     static constexpr T dw(const T& q) {
         return T(q * Shape::f(q));
     }
+    // r is a number or a tile of them, h a number or, if every pair has its own, a tile.
     /// W(r, h) = sigma/h^d w(r/h)   [1/L^d]
-    template <class T>
-    static constexpr T W(const T& r, double h) {
-        return T((Shape::sigma / to_dimension(d, h)) * Shape::w(T(r * (1 / h))));
+    template <class T, class H>
+    static constexpr T W(const T& r, const H& h) {
+        return T((Shape::sigma / to_dimension(d, h)) * Shape::w(T(r * (1.0 / h))));
     }
     /// dW/dr = sigma/h^(d+1) w'(r/h)   [1/L^(d+1)]
-    template <class T>
-    static constexpr T dW_dr(const T& r, double h) {
-        return T((Shape::sigma / (to_dimension(d, h) * h)) * dw(T(r * (1 / h))));
+    template <class T, class H>
+    static constexpr T dW_dr(const T& r, const H& h) {
+        return T((Shape::sigma / (to_dimension(d, h) * h)) * dw(T(r * (1.0 / h))));
     }
     /// d2W/dr2 = sigma/h^(d+2) w''(r/h)   [1/L^(d+2)]
-    template <class T>
-    static constexpr T d2W_dr2(const T& r, double h) {
-        return T((Shape::sigma / (to_dimension(d, h) * h * h)) * Shape::d2w(T(r * (1 / h))));
+    template <class T, class H>
+    static constexpr T d2W_dr2(const T& r, const H& h) {
+        return T((Shape::sigma / (to_dimension(d, h) * h * h)) * Shape::d2w(T(r * (1.0 / h))));
     }
     /// The gradient factor: grad_i W(x_ij, h) = x_ij F(r_ij, h), F <= 0 for monotonic kernels (Monaghan
     /// 2005, 2.19). Finite at r = 0: coincident particles need no special case.   [1/L^(d+2)]
-    template <class T>
-    static constexpr T F(const T& r, double h) {
-        return T((Shape::sigma / (to_dimension(d, h) * h * h)) * Shape::f(T(r * (1 / h))));
+    template <class T, class H>
+    static constexpr T F(const T& r, const H& h) {
+        return T((Shape::sigma / (to_dimension(d, h) * h * h)) * Shape::f(T(r * (1.0 / h))));
     }
     /// dW/dh at fixed r = -sigma/h^(d+1) (d w + q w')   [1/L^(d+1)]
-    template <class T>
-    static constexpr T dW_dh(const T& r, double h) {
-        const T q = r * (1 / h);
+    template <class T, class H>
+    static constexpr T dW_dh(const T& r, const H& h) {
+        const T q = r * (1.0 / h);
         return T((-Shape::sigma / (to_dimension(d, h) * h)) * (double(d) * Shape::w(q) + q * dw(q)));
     }
 };

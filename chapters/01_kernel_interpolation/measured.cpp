@@ -2,19 +2,18 @@
 
 #include "chapters/01_kernel_interpolation/interpolation.hpp"
 #include "chapters/01_kernel_interpolation/test_function.hpp"
-#include "common/app/parallel.hpp"
 
 namespace sph {
 namespace {
 
-/// Calls use(interpolation) with the interpolation that `setting` describes.
-template <int d, class Use>
+/// Calls use(interpolation) with the interpolation of the listed estimates that `setting` describes.
+template <int d, class... Listed, class Use>
 void with_interpolation(const Setting& setting, Use&& use) {
     const bool known = with_kernel<d>(setting.kernel, [&](auto kernel) {
         const auto points =
             make_points<d>(setting.arrangement, setting.per_side, setting.jitter, setting.seed);
         const double h = setting.h_over_dx / static_cast<double>(setting.per_side);
-        use(Interpolation<decltype(kernel)>{points, h, TestFunction<d>{}});
+        use(Interpolation<decltype(kernel), Listed...>{points, h, TestFunction<d>{}, true, setting.threads});
     });
     if (!known) throw std::invalid_argument{"unknown kernel " + setting.kernel};
 }
@@ -41,24 +40,20 @@ class SquaredError {
 template <int d>
 Estimates<d> estimates_at_particles(const Setting& setting) {
     Estimates<d> e;
-    with_interpolation<d>(setting, [&](const auto& A) {
-        for (auto* scalars : {&e.value, &e.twice, &e.laplacian}) scalars->resize(A.size());
-        for (auto* vectors : {&e.x, &e.plain, &e.gradient, &e.weighted}) vectors->resize(A.size());
-        app::parallel_for(A.size(), setting.threads, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                app::check_interrupt();
-                const auto [v, p, g, w, t, b] =
-                    A.template at<Value, PlainGradient, DifferenceGradient, DensityGradient,
-                                  TwiceDifferentiated, Brookshaw>(i);
-                e.x[i] = A.position(i);
-                e.value[i] = v[0];
-                e.plain[i] = p;
-                e.gradient[i] = g;
-                e.weighted[i] = w;
-                e.twice[i] = t[0];
-                e.laplacian[i] = b[0];
-            }
-        });
+    with_interpolation<d, Value, PlainGradient, DifferenceGradient, DensityGradient, TwiceDifferentiated,
+                       Brookshaw>(setting, [&](auto A) {
+        const auto& p = A.estimate();
+        e.value = p.value;
+        e.twice = p.twice;
+        e.laplacian = p.laplacian;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const auto row =
+                load<d>(p, i, List<Position, PlainGradient, DifferenceGradient, DensityGradient>{});
+            e.x.push_back(row.x);
+            e.plain.push_back(row.plain);
+            e.gradient.push_back(row.gradient);
+            e.weighted.push_back(row.weighted);
+        }
     });
     return e;
 }
@@ -84,12 +79,11 @@ Errors errors_of(const Estimates<d>& e) {
 template Errors errors_of<1>(const Estimates<1>&);
 template Errors errors_of<2>(const Estimates<2>&);
 
-Map interpolate_at(const Setting& setting, const std::vector<Vector<2>>& positions) {
+Map interpolate_at(const Setting& setting, const Columns<2>& positions) {
     Map map;
-    with_interpolation<2>(setting, [&](const auto& A) {
-        for (const Vector<2>& x : positions)
-            map.value.push_back(std::get<0>(A.template evaluate<Value>(x))[0]);
-        for (std::size_t i = 0; i < A.size(); ++i) map.particles.push_back(A.position(i));
+    with_interpolation<2, Value>(setting, [&](auto A) {
+        map.value = A.estimate_at(positions).value;
+        map.particles = A.particles().x;
     });
     return map;
 }

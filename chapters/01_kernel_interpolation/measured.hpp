@@ -50,8 +50,8 @@ extern template Errors errors_of<2>(const Estimates<2>&);
 /// The value (2.8) at any positions in the box, and the particles it comes from.
 struct Map {
     std::vector<double> value;
-    std::vector<Vector<2>> particles;
+    Columns<2> particles;
 };
-Map interpolate_at(const Setting& setting, const std::vector<Vector<2>>& positions);
+Map interpolate_at(const Setting& setting, const Columns<2>& positions);
 
 }  // namespace sph

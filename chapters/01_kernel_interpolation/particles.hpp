@@ -1,10 +1,11 @@
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "common/core/sorted_cells.hpp"
+#include "common/core/vec.hpp"
 
 /// The particles that this chapter interpolates from: even, jittered or random points of the periodic unit
 /// box.
@@ -45,33 +46,5 @@ Columns<d> make_points(Arrangement arrangement, std::size_t per_side, double jit
     }
     return x;
 }
-
-/// Points and their periodic images within `reach` of the box [0, 1)^d, so that sums near a face need no
-/// special case. owner[k] is the point that k is an image of. Right for any reach, also beyond the box.
-template <int d>
-struct WithImages {
-    Columns<d> x;
-    std::vector<std::size_t> owner;
-
-    WithImages(Columns<d> points, double reach) : x{std::move(points)}, owner(x[0].size()) {
-        for (std::size_t i = 0; i < owner.size(); ++i) owner[i] = i;
-        for (std::size_t axis = 0; axis < d; ++axis) add_images(axis, reach);
-    }
-
-  private:
-    void add_images(std::size_t axis, double reach) {
-        const std::size_t n = owner.size();
-        const int layers = static_cast<int>(std::ceil(reach));
-        for (int shift = -layers; shift <= layers; ++shift) {
-            if (shift == 0) continue;
-            for (std::size_t i = 0; i < n; ++i) {
-                const double moved = x[axis][i] + shift;
-                if (moved < -reach || moved > 1 + reach) continue;
-                for (std::size_t a = 0; a < d; ++a) x[a].push_back(a == axis ? moved : x[a][i]);
-                owner.push_back(owner[i]);
-            }
-        }
-    }
-};
 
 }  // namespace sph

@@ -27,14 +27,14 @@ Samples scan_h(report::Run& run, const CostPanel& which, std::size_t n) {
     Samples samples;
     for (const double h : run.quick() ? some : all) {
         const Setting setting{std::string{K::name}, which.arrangement, n, h, 0.2, run.seed()};
-        const Interpolation<K> A = interpolation_of<K>(setting);
         const double reach = K::support * h;
         const Sample sample{setting.kernel, h, K::dimension == 1 ? 2 * reach : pi * reach * reach,
                             errors_of<K::dimension>(setting).gradient,
-                            ns_per_point<DifferenceGradient>(run, A)};
+                            ns_per_point<K, DifferenceGradient>(run, setting)};
         const std::string method = which.name + " " + sample.kernel + " h=" + report::number(h, 2);
-        run.result(method, static_cast<long>(A.size()), "l2_gradient", sample.error);
-        run.result(method, static_cast<long>(A.size()), "cpu_ns_per_point", sample.ns, "ns");
+        const auto count = static_cast<long>(to_dimension(K::dimension, n));
+        run.result(method, count, "l2_gradient", sample.error);
+        run.result(method, count, "cpu_ns_per_point", sample.ns, "ns");
         samples.push_back(sample);
     }
     return samples;

@@ -14,8 +14,7 @@ void resolution_curve(report::Run& run, plot::Panel& panel, Arrangement arrangem
     plot::Values seconds, error;
     for (const std::size_t n : sizes) {
         const Setting setting{std::string{K::name}, arrangement, n, h_over_dx, 0.2, run.seed()};
-        const Interpolation<K> A = interpolation_of<K>(setting);
-        seconds.push_back(ns_per_point<DifferenceGradient>(run, A) * static_cast<double>(n) / ns);
+        seconds.push_back(ns_per_point<K, DifferenceGradient>(run, setting) * static_cast<double>(n) / ns);
         error.push_back(errors_of<K::dimension>(setting).gradient);
         const std::string method = particles + std::string{K::name} + " h=" + report::number(h_over_dx, 2);
         run.result(method, static_cast<long>(n), "l2_gradient", error.back());
@@ -83,12 +82,12 @@ void cost_of_estimates(report::Run& run) {
                               {"all and the tensor (2.31)", {}}};
     const plot::Values hs = run.quick() ? plot::Values{1.2, 2.0} : plot::Values{1.0, 1.2, 1.5, 2.0, 2.5};
     for (const double h : hs) {
-        const auto A =
-            interpolation_of<CubicSpline<2>>({"cubic", Arrangement::jittered, 48, h, 0.2, run.seed()});
-        const std::array times{ns_per_point<Value>(run, A), ns_per_point<DifferenceGradient>(run, A),
-                               ns_per_point<Value, DifferenceGradient>(run, A),
-                               ns_per_point<Value, DifferenceGradient, Brookshaw>(run, A),
-                               ns_per_point<Value, DifferenceGradient, Brookshaw, TensorHessian>(run, A)};
+        const Setting s{"cubic", Arrangement::jittered, 48, h, 0.2, run.seed()};
+        using K = CubicSpline<2>;
+        const std::array times{ns_per_point<K, Value>(run, s), ns_per_point<K, DifferenceGradient>(run, s),
+                               ns_per_point<K, Value, DifferenceGradient>(run, s),
+                               ns_per_point<K, Value, DifferenceGradient, Brookshaw>(run, s),
+                               ns_per_point<K, Value, DifferenceGradient, Brookshaw, TensorHessian>(run, s)};
         for (std::size_t c = 0; c < curves.size(); ++c) {
             curves[c].time.push_back(times[c]);
             run.result(curves[c].name + " h=" + report::number(h, 2), 2304, "cpu_ns_per_point", times[c],

@@ -15,7 +15,7 @@ struct Profile {
     explicit Profile(const Estimates<1>& e) {
         std::vector<std::size_t> order(e.x.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
-        std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return e.x[i] < e.x[j]; });
+        std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return e.x[i][0] < e.x[j][0]; });
         for (const std::size_t i : order) {
             x.push_back(e.x[i][0]);
             value.push_back(e.value[i]);
@@ -110,9 +110,12 @@ void interpolation_map(report::Run& run, const Options& options) {
     const std::size_t pixels = run.quick() ? 61 : 101;
     plot::Field value{
         .name = "interpolant", .x = linear_space(0, 1, pixels), .y = linear_space(0, 1, pixels)};
-    std::vector<Vector<2>> positions;
+    Columns<2> positions;
     for (const double y : value.y) {
-        for (const double x : value.x) positions.push_back({x, y});
+        for (const double x : value.x) {
+            positions[0].push_back(x);
+            positions[1].push_back(y);
+        }
     }
     const Map map =
         interpolate_at({options.kernel, Arrangement::jittered, static_cast<std::size_t>(options.particles),
@@ -122,8 +125,8 @@ void interpolation_map(report::Run& run, const Options& options) {
     plot::Field error = value;
     plot::Values exact;
     double largest = 0;
-    for (std::size_t k = 0; k < positions.size(); ++k) {
-        exact.push_back(TestFunction<2>::value(positions[k]));
+    for (std::size_t k = 0; k < positions[0].size(); ++k) {
+        exact.push_back(TestFunction<2>::value({positions[0][k], positions[1][k]}));
         error.value[k] -= exact[k];
         largest = std::max(largest, std::abs(error.value[k]));
     }
@@ -134,13 +137,9 @@ void interpolation_map(report::Run& run, const Options& options) {
     error.bar.range = {-largest, largest};
     figure.at(0, 0).titled("interpolant, " + kernel_label(options.kernel)).field(value);
     figure.at(0, 1).titled("its error, and the particles").field(error);
-    plot::Values x, y;
-    for (const Vector<2>& particle : map.particles) {
-        x.push_back(particle[0]);
-        y.push_back(particle[1]);
-    }
     figure.at(0, 1).points(
-        x, y, {.colour = plot::Colour{0, 0, 0}, .marker = plot::Marker::circle, .marker_size = 1.2});
+        map.particles[0], map.particles[1],
+        {.colour = plot::Colour{0, 0, 0}, .marker = plot::Marker::circle, .marker_size = 1.2});
     const double l2 = report::l2_error(map.value, exact);
     run.result(options.kernel, options.particles * options.particles, "l2_value_map", l2);
     run.fill("map-error", report::number(100 * l2, 2));

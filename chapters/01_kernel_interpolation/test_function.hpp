@@ -1,6 +1,6 @@
 #pragma once
 #include "chapters/01_kernel_interpolation/kernel.hpp"
-#include "common/core/sorted_cells.hpp"
+#include "common/core/vec.hpp"
 
 /// The function that this chapter interpolates: smooth, of period 1, without symmetry that could hide an
 /// error.

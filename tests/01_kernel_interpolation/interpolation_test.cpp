@@ -48,19 +48,22 @@ void check_against_all_pairs(Arrangement arrangement, std::size_t per_side, doub
     INFO(K::name << " in " << d << "D, h/dx = " << h_over_dx << ", " << per_side << " a side");
     const double h = h_over_dx / double(per_side);
     const auto x = make_points<d>(arrangement, per_side, 0.3, 7);
-    const Interpolation<K> A{x, h, wave<d>};
+    Interpolation<K, Value, PlainGradient, DifferenceGradient, DensityGradient, TwiceDifferentiated,
+                  Brookshaw, TensorHessian>
+        A{x, h, wave<d>};
+    const auto& p = A.estimate();
     const std::size_t n = A.size();
     const double m = 1 / double(n);
     std::vector<double> rho(n, 0.0);
     for (std::size_t i = 0; i < n; ++i) {
         all_pairs<d>(x, A.position(i),
                      [&](std::size_t, const Vector<d>&, double r) { rho[i] += m * K::W(r, h); });
-        CHECK(A.density(i) == Approx(rho[i]).epsilon(1e-13));
+        CHECK(p.rho[i] == Approx(rho[i]).epsilon(1e-13));
     }
     for (std::size_t i = 0; i < n; i += n / 5 + 1) {
         double value = 0, twice = 0, brookshaw = 0, plain = 0, difference = 0, weighted = 0, xx = 0;
         all_pairs<d>(x, A.position(i), [&](std::size_t j, const Vector<d>& x_ij, double r) {
-            const double V = m / rho[j], A_j = A.value(j), A_i = A.value(i), F = K::F(r, h);
+            const double V = m / rho[j], A_j = p.A[j], A_i = p.A[i], F = K::F(r, h);
             value += V * A_j * K::W(r, h);
             plain += V * A_j * F * x_ij[0];
             difference += V * (A_j - A_i) * F * x_ij[0];
@@ -69,26 +72,23 @@ void check_against_all_pairs(Arrangement arrangement, std::size_t per_side, doub
             brookshaw += 2 * V * (A_i - A_j) * F;
             if (r > 0) xx += V * ((d + 2) * x_ij[0] * x_ij[0] / (r * r) - 1) * (A_i - A_j) * F;
         });
-        const auto [v, p, g, w, t, b, H] =
-            A.template at<Value, PlainGradient, DifferenceGradient, DensityGradient, TwiceDifferentiated,
-                          Brookshaw, TensorHessian>(i);
-        CHECK(v[0] == Approx(value).epsilon(1e-12));
-        CHECK(p[0] == Approx(plain).epsilon(1e-11).margin(1e-11 / h));
-        CHECK(g[0] == Approx(difference).epsilon(1e-11).margin(1e-11 / h));
-        CHECK(w[0] == Approx(weighted).epsilon(1e-11).margin(1e-11 / h));
-        CHECK(t[0] == Approx(twice).epsilon(1e-11).margin(1e-11 / h / h));
-        CHECK(b[0] == Approx(brookshaw).epsilon(1e-11).margin(1e-11 / h / h));
-        CHECK(H[0] == Approx(xx).epsilon(1e-11).margin(1e-11 / h / h));
+        CHECK(p.value[i] == Approx(value).epsilon(1e-12));
+        CHECK(p.plain[0][i] == Approx(plain).epsilon(1e-11).margin(1e-11 / h));
+        CHECK(p.gradient[0][i] == Approx(difference).epsilon(1e-11).margin(1e-11 / h));
+        CHECK(p.weighted[0][i] == Approx(weighted).epsilon(1e-11).margin(1e-11 / h));
+        CHECK(p.twice[i] == Approx(twice).epsilon(1e-11).margin(1e-11 / h / h));
+        CHECK(p.laplacian[i] == Approx(brookshaw).epsilon(1e-11).margin(1e-11 / h / h));
+        CHECK(p.hessian[0][0][i] == Approx(xx).epsilon(1e-11).margin(1e-11 / h / h));
         // The trace of (2.31) is Brookshaw's Laplacian, term by term: (d + 2) - d = 2.
         double trace = 0;
-        for (std::size_t a = 0, k = 0; a < d; k += d - a, ++a) trace += H[k];
-        CHECK(trace == Approx(b[0]).epsilon(1e-11).margin(1e-11 / h / h));
+        for (std::size_t a = 0; a < d; ++a) trace += p.hessian[a][a][i];
+        CHECK(trace == Approx(p.laplacian[i]).epsilon(1e-11).margin(1e-11 / h / h));
     }
 }
 
 }  // namespace
 
-TEST_CASE("tiles over sorted cells give the sums over all pairs") {
+TEST_CASE("estimates are their equations summed over all pairs") {
     // A lost image, a tile counted twice, a wrong sign of x_ij, a missing 1/rho: each shows at 1e-3 or more.
     for (const auto arrangement : {Arrangement::even, Arrangement::jittered, Arrangement::random}) {
         check_against_all_pairs<CubicSpline<1>>(arrangement, 40, 1.2);
@@ -104,43 +104,16 @@ TEST_CASE("tiles over sorted cells give the sums over all pairs") {
     check_against_all_pairs<CubicSpline<2>>(Arrangement::random, 2, 1.5);
 }
 
-TEST_CASE("sorted cells find every neighbour once") {
-    // Free space, points far apart and coincident, positions outside the points' box.
-    Uniform uniform{3};
-    for (int round = 0; round < 300; ++round) {
-        const std::size_t n = std::size_t(uniform() * 60);
-        const double support = std::pow(10, 2 * uniform() - 2);
-        Columns<2> x{std::vector<double>(n), std::vector<double>(n)};
-        for (std::size_t i = 0; i < n; ++i) {
-            x[0][i] = round % 3 == 0 ? std::floor(5 * uniform()) * support : uniform();
-            x[1][i] = round % 5 == 0 ? 0.5 : uniform() * 3 - 1;
-        }
-        const SortedCells<2> cells{x, support};
-        const Vector<2> at{1.4 * uniform() - 0.2, 3 * uniform() - 1};
-        std::vector<int> found(n, 0);
-        cells.for_each_range(at, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) ++found[cells.order()[k]];
-        });
-        bool right = true;
-        for (std::size_t i = 0; i < n; ++i) {
-            const bool near = std::hypot(at[0] - x[0][i], at[1] - x[1][i]) <= support;
-            right = right && found[i] <= 1 && (found[i] == 1 || !near);
-        }
-        REQUIRE(right);
-    }
-    CHECK_THROWS_AS(SortedCells<1>(Columns<1>{{std::vector<double>{0.0}}}, 0.0), std::invalid_argument);
-    CHECK_THROWS_AS(SortedCells<1>(Columns<1>{{std::vector<double>{std::nan("")}}}, 1.0),
-                    std::invalid_argument);
-}
-
 TEST_CASE("differences do not see a constant, the plain gradient does") {
     const auto x = make_points<2>(Arrangement::jittered, 20, 0.3, 5);
-    const Interpolation<CubicSpline<2>> A{x, 1.2 / 20, [](const Vector<2>&) { return 3.0; }};
+    Interpolation<CubicSpline<2>, PlainGradient, DifferenceGradient, DensityGradient, Brookshaw> A{
+        x, 1.2 / 20, [](const Vector<2>&) { return 3.0; }};
+    const auto& p = A.estimate();
     double plain = 0, difference = 0;
     for (std::size_t i = 0; i < A.size(); ++i) {
-        const auto [p, g, r, b] = A.at<PlainGradient, DifferenceGradient, DensityGradient, Brookshaw>(i);
-        plain = std::max(plain, std::abs(p[0]));
-        difference = std::max({difference, std::abs(g[0]), std::abs(r[1]), std::abs(b[0])});
+        plain = std::max(plain, std::abs(p.plain[0][i]));
+        difference = std::max(
+            {difference, std::abs(p.gradient[0][i]), std::abs(p.weighted[1][i]), std::abs(p.laplacian[i])});
     }
     CHECK(difference == 0);
     CHECK(plain > 1);  // measured 18: the gradient of the constant 3 over a box of length 1
@@ -150,13 +123,16 @@ TEST_CASE("heat flows from hot to cold between every pair with Brookshaw's form 
     // Two particles, one hot: (2.24) cools it at any distance; (2.21) heats it where W'' > 0.
     int wrong = 0;
     for (double r = 0.05; r < 2; r += 0.05) {
-        Pairs<1> p{};
-        p.A_i = 1;
-        p.r = Tile::Constant(r);
-        p.V = Tile::Ones();
-        p.A = Tile::Zero();
-        p.F = CubicSpline<1>::F(p.r, 1.0);
-        CHECK(Brookshaw::term<1>(p)[0][0] < 0);
+        Row<double, 1, Quantity> hot;
+        hot.A = 1;
+        Row<Tile, 1, Quantity, Volume> cold;
+        cold.A.setZero();
+        cold.V.setOnes();
+        Row<Tile, 1, Brookshaw> sum;
+        sum.laplacian.setZero();
+        const Vec<Tile, 1> x_ij{Tile::Constant(r)};
+        Brookshaw{}.add(hot, cold, ConstantH<CubicSpline<1>>{1}.pair(hot, cold, x_ij), sum);
+        CHECK(sum.laplacian[0] < 0);
         if (CubicSpline<1>::d2W_dr2(r, 1.0) > 0)
             ++wrong;  // cold i, hot j: T_j W'' > 0 heats i, else cools it
     }
@@ -184,26 +160,19 @@ TEST_CASE("summed densities hide the error of a constant, mean densities show it
     // both.
     const auto one = [](const Vector<1>&) { return 1.0; };
     const auto x = make_points<1>(Arrangement::even, 40, 0, 1);
-    const Interpolation<CubicSpline<1>> summed{x, 1.2 / 40, one}, mean{x, 1.2 / 40, one, false};
-    CHECK(std::get<0>(summed.at<Value>(7))[0] == Approx(1).epsilon(1e-14));
-    CHECK(std::get<0>(mean.at<Value>(7))[0] - 1 ==
-          Approx(constant_error(CubicSpline<1>{}, 1.2)).epsilon(1e-9));
+    Interpolation<CubicSpline<1>, Value> summed{x, 1.2 / 40, one}, mean{x, 1.2 / 40, one, false};
+    CHECK(summed.estimate().value[7] == Approx(1).epsilon(1e-14));
+    CHECK(mean.estimate().value[7] - 1 == Approx(constant_error(CubicSpline<1>{}, 1.2)).epsilon(1e-9));
 }
 
-TEST_CASE("a sum visits little more than the support") {
-    // Cells of 1/8 support in 1D, 1/2 in 2D: (17/8)/2 = 1.06 and (5/2)^2/pi = 2.0 times the support. Fails if
-    // cells become as wide as the support (1.5 and 2.9).
-    const auto mean_ratio = [](const auto& A, double in_support) {
-        double pairs = 0;
-        for (std::size_t i = 0; i < A.size(); ++i) pairs += double(A.pairs_at(i));
-        return pairs / double(A.size()) / in_support;
-    };
-    const auto zero = [](const auto&) { return 0.0; };
-    const Interpolation<CubicSpline<1>> line{make_points<1>(Arrangement::random, 2000, 0, 1), 4.0 / 2000,
-                                             zero};
-    const Interpolation<CubicSpline<2>> plane{make_points<2>(Arrangement::random, 60, 0, 1), 2.0 / 60, zero};
-    CHECK(mean_ratio(line, 16) == Approx(1.06).margin(0.1));
-    CHECK(mean_ratio(plane, 16 * pi) == Approx(1.99).margin(0.1));
+TEST_CASE("an interpolant at any positions is the one at particles there") {
+    const auto x = make_points<2>(Arrangement::random, 15, 0, 3);
+    Interpolation<QuinticSpline<2>, Value> A{x, 1.3 / 15, wave<2>};
+    const auto at_particles = A.estimate().value;
+    const auto at_positions = A.estimate_at(x).value;
+    for (std::size_t i = 0; i < A.size(); ++i)
+        CHECK(at_positions[i] == Approx(at_particles[i]).epsilon(1e-14));
+    CHECK(A.estimate().value == at_particles);
 }
 
 TEST_CASE("what converges and what does not") {

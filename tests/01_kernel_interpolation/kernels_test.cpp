@@ -225,10 +225,10 @@ TEST_CASE("tiles give what single numbers give") {
         using K = decltype(kernel);
         for (int n = 0; n < 100; ++n) {
             Tile r;
-            for (int lane = 0; lane < tile_width; ++lane)
-                r[lane] = K::support * 1.05 * (n * tile_width + lane) / 800;
+            for (int lane = 0; lane < int(tile_width); ++lane)
+                r[lane] = K::support * 1.05 * (n * int(tile_width) + lane) / 800;
             const Tile W = K::W(r, 0.9), F = K::F(r, 0.9), d2W = K::d2W_dr2(r, 0.9), dW_dh = K::dW_dh(r, 0.9);
-            for (int lane = 0; lane < tile_width; ++lane) {
+            for (int lane = 0; lane < int(tile_width); ++lane) {
                 CHECK(std::abs(W[lane] - K::W(r[lane], 0.9)) <= 8 * eps * K::W(0.0, 0.9));
                 CHECK(std::abs(F[lane] - K::F(r[lane], 0.9)) <= 8 * eps * std::abs(K::F(0.0, 0.9)));
                 CHECK(std::abs(d2W[lane] - K::d2W_dr2(r[lane], 0.9)) <=
