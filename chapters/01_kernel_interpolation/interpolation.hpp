@@ -143,24 +143,25 @@ struct TensorHessian {
     }
 };
 
-/// Particles of the periodic unit box with mass 1/N each and a quantity A, interpolated with the kernel K at
+/// Particles of the unit box [0, 1]^d with mass 1/N each and a quantity A, interpolated with the kernel K at
 /// smoothing length h by the listed estimates.
-template <class K, class... Estimates>
-class Interpolation {
+template <class K, class Boundary, class... Estimates>
+class InterpolationWithin {
   public:
     static constexpr int d = K::dimension;
     using Scene = ParticlesOf<d, Union<List<Position, Mass, Density, Volume, Quantity>, List<Estimates...>>>;
 
-    /// `points` in [0, 1)^d, `h` > 0 [box lengths]; A(position) is the quantity to interpolate.
+    /// `points` in the box, `h` > 0 [box lengths]; A(position) is the quantity to interpolate.
     /// `summed_density`: rho_j = sum m W (2.9), as in SPH; otherwise rho = 1, the exact mean density.
     template <class Function>
-    Interpolation(const Columns<d>& points, double h, Function&& A, bool summed_density = true,
-                  int threads = 1);
+    InterpolationWithin(Boundary boundary, const Columns<d>& points, double h, Function&& A,
+                        bool summed_density = true, int threads = 1);
 
     std::size_t size() const noexcept { return particles_.size(); }
     Vector<d> position(std::size_t i) const { return load<d>(particles_, i, List<Position>{}).x; }
     /// Columns are named by the estimates: particles().value[i], particles().gradient[axis][i], ...
     const Scene& particles() const noexcept { return particles_; }
+    const ConstantH<K>& smoothing() const noexcept { return smoothing_; }
     /// Computes the listed estimates at every particle. Neighbours are looked for in each call.
     /// Cost: a search and a pass.
     const Scene& estimate() {
@@ -178,23 +179,20 @@ class Interpolation {
     }
 
   private:
-    static Box<d> unit_box() {
-        Vector<d> low{}, high{};
-        for (double& end : high) end = 1;
-        return {low, high, Face::periodic};
-    }
     void find() { neighbours_.find(particles_.x, smoothing_.reach(), Support::gather, Keep::nothing); }
 
     Scene particles_;
     ConstantH<K> smoothing_;
-    Neighbours<d, Box<d>> neighbours_;
+    Neighbours<d, Boundary> neighbours_;
 };
 
-template <class K, class... Estimates>
+template <class K, class Boundary, class... Estimates>
 template <class Function>
-Interpolation<K, Estimates...>::Interpolation(const Columns<d>& points, double h, Function&& A,
-                                              bool summed_density, int threads)
-    : particles_{points[0].size()}, smoothing_{h}, neighbours_{unit_box(), threads} {
+InterpolationWithin<K, Boundary, Estimates...>::InterpolationWithin(Boundary boundary,
+                                                                    const Columns<d>& points, double h,
+                                                                    Function&& A, bool summed_density,
+                                                                    int threads)
+    : particles_{points[0].size()}, smoothing_{h}, neighbours_{std::move(boundary), threads} {
     const std::size_t n = particles_.size();
     particles_.x = points;
     particles_.m.assign(n, 1.0 / static_cast<double>(n));
@@ -206,5 +204,22 @@ Interpolation<K, Estimates...>::Interpolation(const Columns<d>& points, double h
         particles_.A[i] = A(position(i));
     }
 }
+
+template <int d>
+Box<d> periodic_unit_box() {
+    Vector<d> low{}, high{};
+    for (double& end : high) end = 1;
+    return {low, high, Face::periodic};
+}
+
+/// The periodic unit box, which has no boundary to disturb a sum.
+template <class K, class... Estimates>
+struct Interpolation : InterpolationWithin<K, Box<K::dimension>, Estimates...> {
+    template <class Function>
+    Interpolation(const Columns<K::dimension>& points, double h, Function&& A, bool summed_density = true,
+                  int threads = 1)
+        : InterpolationWithin<K, Box<K::dimension>, Estimates...>{
+              periodic_unit_box<K::dimension>(), points, h, A, summed_density, threads} {}
+};
 
 }  // namespace sph

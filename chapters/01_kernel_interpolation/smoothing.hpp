@@ -18,7 +18,6 @@ template <class K>
 struct ConstantH {
     double h;  ///< > 0, in the unit of positions
 
-    using Reads = List<>;
     template <int d>
     Pair<d, double> pair(const auto&, const auto&, const Vec<Tile, d>& x_ij) const {
         const Tile r = dot(x_ij, x_ij).sqrt();

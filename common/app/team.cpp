@@ -15,7 +15,7 @@ namespace {
 /// lets the thread sleep: waking one takes longer than a short pass.
 template <class T>
 void wait_while(const std::atomic<T>& value, T old) {
-    constexpr int looks = 4000;
+    constexpr int looks = 20000;  // about a quarter of a millisecond
     for (int k = 0; k < looks; ++k) {
         if (value.load(std::memory_order_acquire) != old) return;
 #if defined(__x86_64__)

@@ -67,37 +67,34 @@ Box<d>::Box(const Vector<d>& low_corner, const Vector<d>& high_corner,
 }
 
 template <int d>
-void Box<d>::wrap(Vector<d>& x) const {
-    for (std::size_t a = 0; a < d; ++a) {
-        if (faces[a].first != Face::periodic) continue;
-        const double length = high[a] - low[a];
-        if (x[a] < low[a] || x[a] > high[a]) x[a] -= length * std::floor((x[a] - low[a]) / length);
-    }
-}
-
-template <int d>
 void Box<d>::add_ghosts(const Columns<d>& x, double reach, std::vector<Ghost<d>>& ghosts) const {
     const std::size_t first_ghost = ghosts.size(), n = x[0].size();
     Vector<d> same{};
     for (double& sign : same) sign = 1;
     // Axis by axis: an image on one axis has images on the next, and so corners come out right.
     for (std::size_t a = 0; a < d; ++a) {
+        if (faces[a].first == Face::free && faces[a].second == Face::free) continue;
         const std::size_t before = ghosts.size();
-        const auto copy = [&](const Ghost<d>& original, const Image& image) {
-            const double moved = image.sign * original.x[a] + image.shift;
-            if (moved < low[a] - reach || moved > high[a] + reach) return;
-            ghosts.push_back(original);
-            ghosts.back().x[a] = moved;
-            ghosts.back().sign[a] *= image.sign;
+        const auto add_images = [&](const Ghost<d>& original) {
+            for_each_image(low[a], high[a], faces[a], reach, [&](const Image& image) {
+                const double moved = image.sign * original.x[a] + image.shift;
+                if (moved < low[a] - reach || moved > high[a] + reach) return;
+                Ghost<d> copy = original;
+                copy.x[a] = moved;
+                copy.sign[a] *= image.sign;
+                ghosts.push_back(copy);
+            });
         };
-        for_each_image(low[a], high[a], faces[a], reach, [&](const Image& image) {
-            for (std::size_t i = 0; i < n; ++i) {
-                Ghost<d> original{static_cast<std::uint32_t>(i), {}, same};
-                for (std::size_t b = 0; b < d; ++b) original.x[b] = x[b][i];
-                copy(original, image);
-            }
-            for (std::size_t k = first_ghost; k < before; ++k) copy(Ghost<d>{ghosts[k]}, image);
-        });
+        // Images of what lies farther from both faces than the reach are farther still.
+        const double margin = reach + 1e-12 * (high[a] - low[a]);
+        const double inner_low = low[a] + margin, inner_high = high[a] - margin;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (x[a][i] > inner_low && x[a][i] < inner_high) continue;
+            Ghost<d> particle{static_cast<std::uint32_t>(i), {}, same};
+            for (std::size_t b = 0; b < d; ++b) particle.x[b] = x[b][i];
+            add_images(particle);
+        }
+        for (std::size_t k = first_ghost; k < before; ++k) add_images(Ghost<d>{ghosts[k]});
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -45,7 +46,13 @@ struct Box {
         std::array<std::pair<Face, Face>, static_cast<std::size_t>(d)> each);
 
     /// Brings a position that left through a periodic face back into the box.
-    void wrap(Vector<d>& x) const;
+    void wrap(Vector<d>& x) const {
+        for (std::size_t a = 0; a < d; ++a) {
+            if (faces[a].first != Face::periodic || (x[a] >= low[a] && x[a] <= high[a])) continue;
+            const double length = high[a] - low[a];
+            x[a] -= length * std::floor((x[a] - low[a]) / length);
+        }
+    }
     /// All images within `reach` of the box, of the points x, which lie in it.
     /// Cost: the points, and the images on each axis.
     void add_ghosts(const Columns<d>& x, double reach, std::vector<Ghost<d>>& ghosts) const;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace sph {
 namespace {
@@ -24,6 +25,15 @@ void require(bool sound, const char* what, std::size_t i) {
                                     " is not a number of reasonable size"};
 }
 constexpr double too_large = 1e150;
+constexpr int most_grids = 32;          // the last one takes all smaller reaches
+constexpr std::size_t grain = 1 << 13;  // points for which waking a thread pays
+
+template <int d>
+Vector<d> at(const Columns<d>& x, std::size_t i) {
+    Vector<d> position;
+    for (std::size_t a = 0; a < d; ++a) position[a] = x[a][i];
+    return position;
+}
 
 }  // namespace
 
@@ -65,90 +75,137 @@ void Cells<d>::lay_out(Grid& grid) {
 }
 
 template <int d>
-void Cells<d>::make_grids(const Columns<d>& x, std::span<const double> reach) {
+void Cells<d>::require_sound(const Columns<d>& x, std::span<const double> reach) {
     const std::size_t n = x[0].size();
-    double largest = 0;
-    for (std::size_t i = 0; i < reach.size(); ++i) {
+    for (const Column& column : x) {
+        if (column.size() != n) throw std::invalid_argument{"columns of different length"};
+    }
+    if (n >= std::numeric_limits<std::uint32_t>::max()) throw std::invalid_argument{"too many points"};
+    if (reach.size() != 1 && reach.size() != n) throw std::invalid_argument{"one reach, or one a point"};
+    for (std::size_t i = 0; i < reach.size(); ++i)
         require(reach[i] >= 0 && reach[i] < too_large, "the reach", i);
-        largest = std::max(largest, reach[i]);
+    for (const Column& column : x) {
+        int wrong = 0;
+        for (const double coordinate : column) wrong |= std::abs(coordinate) < too_large ? 0 : 1;
+        if (wrong == 0) continue;
+        for (std::size_t i = 0; i < n; ++i) require(std::abs(column[i]) < too_large, "a coordinate", i);
     }
+}
+
+/// Decides which grid each point belongs to.
+template <int d>
+std::size_t Cells<d>::choose_grids(std::size_t points, std::span<const double> reach) {
+    const double largest = reach.empty() ? 0 : *std::max_element(reach.begin(), reach.end());
     equal_reaches_ = std::all_of(reach.begin(), reach.end(), [&](double value) { return value == largest; });
-    constexpr int most = 32;  // grids; the last one takes all smaller reaches
-    grids_.assign(equal_reaches_ ? 1 : most, Grid{});
-    grid_of_.assign(n, 0);
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    for (Grid& grid : grids_) {
-        for (std::size_t a = 0; a < d; ++a) {
-            grid.low[a] = infinity;
-            grid.high[a] = -infinity;
-        }
+    grid_of_.assign(points, 0);
+    if (equal_reaches_) return 1;
+    for (std::size_t i = 0; i < points; ++i) {
+        const double ratio = largest / std::max(reach[i], 1 / too_large);
+        grid_of_[i] = static_cast<std::uint8_t>(std::clamp(std::ilogb(ratio), 0, most_grids - 1));
     }
-    for (std::size_t i = 0; i < n; ++i) {
-        if (!equal_reaches_) {
-            const double ratio = reach[i] > 0 ? largest / reach[i] : infinity;
-            const int octave = ratio < infinity ? std::ilogb(ratio) : most;
-            grid_of_[i] = static_cast<std::uint8_t>(std::min(octave, most - 1));
-        }
-        Grid& grid = grids_[grid_of_[i]];
-        ++grid.points;
-        grid.reach = std::max(grid.reach, equal_reaches_ ? largest : reach[i]);
-        for (std::size_t a = 0; a < d; ++a) {
-            require(std::abs(x[a][i]) < too_large, "a coordinate", i);
-            grid.low[a] = std::min(grid.low[a], x[a][i]);
-            grid.high[a] = std::max(grid.high[a], x[a][i]);
-        }
+    return most_grids;
+}
+
+template <int d>
+void Cells<d>::Grid::include(const Vector<d>& x, double point_reach) {
+    ++points;
+    reach = std::max(reach, point_reach);
+    for (std::size_t a = 0; a < d; ++a) {
+        low[a] = std::min(low[a], x[a]);
+        high[a] = std::max(high[a], x[a]);
     }
-    std::array<std::uint8_t, most> place{};
+}
+template <int d>
+void Cells<d>::Grid::include(const Grid& other) {
+    points += other.points;
+    reach = std::max(reach, other.reach);
+    for (std::size_t a = 0; a < d; ++a) {
+        low[a] = std::min(low[a], other.low[a]);
+        high[a] = std::max(high[a], other.high[a]);
+    }
+}
+
+/// Finds the extent of each grid, drops empty ones, and lays out the cells; returns how many there are.
+template <int d>
+std::size_t Cells<d>::make_grids(const Columns<d>& x, std::span<const double> reach, app::Team& team) {
+    const std::size_t n = x[0].size(), count = choose_grids(n, reach);
+    const auto parts = static_cast<std::size_t>(team.size());
+    grids_.assign(count * parts, Grid{});
+    team.parallel_for(
+        n,
+        [&](std::size_t begin, std::size_t end, std::size_t part) {
+            std::array<Grid, most_grids> grids;  // the thread's own, so that it shares no cache line
+            for (std::size_t i = begin; i < end; ++i)
+                grids[grid_of_[i]].include(at(x, i), reach[reach.size() == 1 ? 0 : i]);
+            std::copy(grids.begin(), grids.begin() + static_cast<std::ptrdiff_t>(count),
+                      grids_.begin() + static_cast<std::ptrdiff_t>(part * count));
+        },
+        grain);
+    for (std::size_t part = 1; part < parts; ++part) {
+        for (std::size_t g = 0; g < count; ++g) grids_[g].include(grids_[part * count + g]);
+    }
+    std::array<std::uint8_t, most_grids> place{};
     std::size_t used = 0;
-    for (std::size_t g = 0; g < grids_.size(); ++g) {
+    for (std::size_t g = 0; g < count; ++g) {
         place[g] = static_cast<std::uint8_t>(used);
         if (grids_[g].points > 0) grids_[used++] = grids_[g];
     }
     grids_.resize(used);
-    if (!equal_reaches_) {
+    if (used > 1) {
         for (std::uint8_t& g : grid_of_) g = place[g];
+    } else {
+        std::fill(grid_of_.begin(), grid_of_.end(), std::uint8_t{0});
     }
-}
-
-template <int d>
-void Cells<d>::sort(const Columns<d>& x, std::span<const double> reach) {
-    const std::size_t n = x[0].size();
-    for (std::size_t a = 0; a < d; ++a) {
-        if (x[a].size() != n) throw std::invalid_argument{"columns of different length"};
-    }
-    if (n >= std::numeric_limits<std::uint32_t>::max()) throw std::invalid_argument{"too many points"};
-    if (reach.size() != 1 && reach.size() != n) throw std::invalid_argument{"one reach, or one a point"};
-    make_grids(x, reach);
     std::size_t cells = 0;
     for (Grid& grid : grids_) {
         lay_out(grid);
         grid.first_cell = cells;
         cells += grid.cells();
     }
-    // Counting sort: stable, so the order within a cell is the caller's and results do not depend on the
-    // machine.
+    return cells;
+}
+
+template <int d>
+void Cells<d>::sort(const Columns<d>& x, std::span<const double> reach, app::Team& team) {
+    require_sound(x, reach);
+    const std::size_t n = x[0].size(), cells = make_grids(x, reach, team);
+    // Counting sort, each part of the team with counts of its own. It is stable: the order within a cell is
+    // the caller's, and results depend neither on the machine nor on the number of threads.
+    const auto parts = static_cast<std::size_t>(team.size());
     cell_.resize(n);
-    start_.assign(cells + 1, 0);
-    for (std::size_t i = 0; i < n; ++i) {
-        Vector<d> position;
-        for (std::size_t a = 0; a < d; ++a) position[a] = x[a][i];
-        const Grid& grid = grids_[grid_of_[i]];
-        cell_[i] = static_cast<std::uint32_t>(grid.first_cell + grid.flat(position));
-        ++start_[cell_[i] + 1];
+    next_.assign(parts * cells, 0);
+    team.parallel_for(
+        n,
+        [&](std::size_t begin, std::size_t end, std::size_t part) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const Grid& grid = grids_[grid_of_[i]];
+                cell_[i] = static_cast<std::uint32_t>(grid.first_cell + grid.flat(at(x, i)));
+                ++next_[part * cells + cell_[i]];
+            }
+        },
+        grain);
+    start_.resize(cells + 1);
+    std::uint32_t total = 0;
+    for (std::size_t c = 0; c < cells; ++c) {
+        start_[c] = total;
+        for (std::size_t part = 0; part < parts; ++part)
+            total += std::exchange(next_[part * cells + c], total);
     }
-    for (std::size_t c = 0; c < cells; ++c) start_[c + 1] += start_[c];
+    start_[cells] = total;
     order_.resize(n);
-    for (std::size_t a = 0; a < d; ++a) x_[a].resize(n + tile_width);
+    for (Column& column : x_) column.resize(n + tile_width);
     reach2_.resize(equal_reaches_ ? 0 : n + tile_width);
-    // start_[c] walks to the end of its cell while the cell is filled, and is put back after that.
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::uint32_t k = start_[cell_[i]]++;
-        order_[k] = static_cast<std::uint32_t>(i);
-        for (std::size_t a = 0; a < d; ++a) x_[a][k] = x[a][i];
-        if (!equal_reaches_) reach2_[k] = reach[i] * reach[i];
-    }
-    for (std::size_t c = cells; c > 0; --c) start_[c] = start_[c - 1];
-    start_[0] = 0;
+    team.parallel_for(
+        n,
+        [&](std::size_t begin, std::size_t end, std::size_t part) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const std::uint32_t k = next_[part * cells + cell_[i]]++;
+                order_[k] = static_cast<std::uint32_t>(i);
+                for (std::size_t a = 0; a < d; ++a) x_[a][k] = x[a][i];
+                if (!equal_reaches_) reach2_[k] = reach[i] * reach[i];
+            }
+        },
+        grain);
 }
 
 template <int d>

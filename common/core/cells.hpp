@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
+#include "common/app/team.hpp"
 #include "common/core/indices.hpp"
 #include "common/core/vec.hpp"
 
@@ -27,7 +29,7 @@ class Cells {
     /// smaller than 1e150, so that squares of distances are finite.
     /// Throws std::invalid_argument for one that is not (NaN included), naming the point.
     /// Cost: O(points + cells), and at most about four cells a point.
-    void sort(const Columns<d>& x, std::span<const double> reach);
+    void sort(const Columns<d>& x, std::span<const double> reach, app::Team& team);
 
     std::size_t size() const noexcept { return order_.size(); }
     /// The original index of the k-th point in the sorted order.
@@ -55,16 +57,26 @@ class Cells {
     /// The grid of the points whose reach is at most `reach` and, but for the last grid, above half of it.
     struct Grid {
         double reach = 0, margin = 0;
-        Vector<d> low{}, high{}, width{}, per_width{};
+        Vector<d> low = filled(infinity), high = filled(-infinity), width{}, per_width{};
         std::array<long, 3> count{1, 1, 1};
         std::size_t points = 0, first_cell = 0;
 
+        void include(const Vector<d>& x, double point_reach);
+        void include(const Grid& other);
         long cell(double coordinate, std::size_t axis) const;
         std::size_t flat(const Vector<d>& x) const;
         std::size_t cells() const { return static_cast<std::size_t>(count[0] * count[1] * count[2]); }
     };
 
-    void make_grids(const Columns<d>& x, std::span<const double> reach);
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    static Vector<d> filled(double value) {
+        Vector<d> x;
+        for (double& component : x) component = value;
+        return x;
+    }
+    static void require_sound(const Columns<d>& x, std::span<const double> reach);
+    std::size_t choose_grids(std::size_t points, std::span<const double> reach);
+    std::size_t make_grids(const Columns<d>& x, std::span<const double> reach, app::Team& team);
     static void lay_out(Grid& grid);
     template <class Visit>
     void for_each_row(const Vector<d>& position, double reach, Support support, Visit&& visit) const;
@@ -72,7 +84,7 @@ class Cells {
     std::vector<Grid> grids_;
     bool equal_reaches_ = true;
     std::vector<std::uint8_t> grid_of_;  // of each point
-    std::vector<std::uint32_t> cell_, start_, order_;
+    std::vector<std::uint32_t> cell_, start_, next_, order_;
     Columns<d> x_;   // sorted, with tile_width more that may be read
     Column reach2_;  // the same; empty if all reaches are equal
 };

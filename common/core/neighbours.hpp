@@ -35,14 +35,7 @@ class Neighbours {
     void find(const Columns<d>& x, std::span<const double> reach, Support support = Support::gather,
               Keep keep = Keep::list) {
         sort_sources(x, reach);
-        receivers_.clear();
-        cells_.for_each_block_run([&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) {
-                const std::uint32_t i = cells_.order()[k];
-                if (i < count_)
-                    receivers_.push_back({i, cells_.position(k), reach[reach.size() == 1 ? 0 : i]});
-            }
-        });
+        receive_particles(reach);
         list_neighbours(support, keep);
     }
     void find(const Columns<d>& x, double reach, Support support = Support::gather, Keep keep = Keep::list) {
@@ -113,12 +106,17 @@ class Neighbours {
     Indices& scratch(std::size_t part) noexcept { return parts_[part].found; }
 
   private:
+    static constexpr std::size_t light_grain = 1 << 13;  // points for which waking a thread pays
+    struct Run {
+        std::size_t begin, end, receiver;  // sources, and the place of the first particle among them
+    };
     struct Place {
         const Indices* part;
         std::size_t first, count;
     };
 
     void sort_sources(const Columns<d>& x, std::span<const double> reach);
+    void receive_particles(std::span<const double> reach);
     std::size_t append(std::size_t r, Indices& found) const;
     void list_neighbours(Support support, Keep keep);
 
@@ -134,6 +132,7 @@ class Neighbours {
     std::vector<Ghost<d>> ghosts_;
     std::size_t count_ = 0;  // of sources that are particles
     double largest_reach_ = 0;
+    std::vector<Run> runs_;
     std::vector<Receiver> receivers_;
     std::vector<Place> places_;
     Support support_ = Support::gather;
@@ -153,21 +152,46 @@ void Neighbours<dimension, Boundary>::sort_sources(const Columns<d>& x, std::spa
         if (x[a].size() != count_) throw std::invalid_argument{"columns of different length"};
         sources_[a].resize(count_);
     }
-    for (std::size_t i = 0; i < count_; ++i) {
-        Vector<d> position;
-        for (std::size_t a = 0; a < d; ++a) position[a] = x[a][i];
-        boundary_.wrap(position);
-        for (std::size_t a = 0; a < d; ++a) sources_[a][i] = position[a];
-    }
+    const auto wrap = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Vector<d> position;
+            for (std::size_t a = 0; a < d; ++a) position[a] = x[a][i];
+            boundary_.wrap(position);
+            for (std::size_t a = 0; a < d; ++a) sources_[a][i] = position[a];
+        }
+    };
+    team_.parallel_for(count_, wrap, light_grain);
     ghosts_.clear();
     boundary_.add_ghosts(sources_, largest_reach_, ghosts_);
     for (std::size_t a = 0; a < d; ++a) {
         for (const Ghost<d>& ghost : ghosts_) sources_[a].push_back(ghost.x[a]);
     }
-    if (reach.size() == 1) return cells_.sort(sources_, reach);
+    if (reach.size() == 1) return cells_.sort(sources_, reach, team_);
     source_reach_.assign(reach.begin(), reach.end());
     for (const Ghost<d>& ghost : ghosts_) source_reach_.push_back(reach[ghost.owner]);
-    cells_.sort(sources_, source_reach_);
+    cells_.sort(sources_, source_reach_, team_);
+}
+
+/// All particles among the sources, in the order of the blocks of cells.
+template <int dimension, class Boundary>
+void Neighbours<dimension, Boundary>::receive_particles(std::span<const double> reach) {
+    runs_.clear();
+    std::size_t first = 0;
+    cells_.for_each_block_run([&](std::size_t begin, std::size_t end) {
+        runs_.push_back({begin, end, first});
+        for (std::size_t k = begin; k < end; ++k) first += cells_.order()[k] < count_ ? 1 : 0;
+    });
+    receivers_.resize(count_);
+    const auto receive = [&](std::size_t first_run, std::size_t last_run) {
+        for (std::size_t run = first_run; run < last_run; ++run) {
+            std::size_t r = runs_[run].receiver;
+            for (std::size_t k = runs_[run].begin; k < runs_[run].end; ++k) {
+                const std::uint32_t i = cells_.order()[k];
+                if (i < count_) receivers_[r++] = {i, cells_.position(k), reach[reach.size() == 1 ? 0 : i]};
+            }
+        }
+    };
+    team_.parallel_for(runs_.size(), receive, light_grain / 16);
 }
 
 /// Appends the neighbours of the r-th receiver, padded, and returns how many they are without padding.

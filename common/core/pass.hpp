@@ -16,9 +16,9 @@ namespace pass_detail {
 /// Columns that pairs need of a neighbour: what effects and smoothing read, without the position, which comes
 /// from the search (a ghost has its own).
 template <class Smoothing, class E>
-using Packed = Difference<Union<typename Smoothing::Reads, typename E::ReadJ>, List<Position>>;
+using Packed = Difference<Union<typename Effects<Smoothing>::ReadJ, typename E::ReadJ>, List<Position>>;
 template <class Smoothing, class E>
-using OfReceiver = Union<typename Smoothing::Reads, typename E::ReadI>;
+using OfReceiver = Union<typename Effects<Smoothing>::ReadI, typename E::ReadI>;
 
 /// Component a of a vector is multiplied by sign[a], component (a, b) of a tensor by sign[a] sign[b].
 template <int d>
@@ -37,7 +37,7 @@ void pack(const P& particles, N& neighbours, List<C...> columns) {
     constexpr std::size_t width = static_cast<std::size_t>(d) + count_components<d>(columns);
     RowBuffer& rows = neighbours.rows();
     rows.resize(neighbours.sources(), width);
-    neighbours.team().parallel_for(neighbours.sources(), [&](std::size_t begin, std::size_t end) {
+    const auto pack_rows = [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             auto values = load<d>(particles, neighbours.owner(k), columns);
             if (const Ghost<d>* ghost = neighbours.ghost(k)) {
@@ -50,7 +50,9 @@ void pack(const P& particles, N& neighbours, List<C...> columns) {
             for (std::size_t a = 0; a < d; ++a) *out++ = x[a];
             (for_each_component([&](double value) { *out++ = value; }, member<C, double, d>(values)), ...);
         }
-    });
+    };
+    constexpr std::size_t grain = 1 << 13;  // rows for which waking a thread pays
+    neighbours.team().parallel_for(neighbours.sources(), pack_rows, grain);
 }
 
 /// Eight neighbours of i: their offsets and columns.
@@ -126,6 +128,41 @@ void finish_all(const Effects<E...>& effects, const auto& i, const auto& sum, au
     std::apply([&](const auto&... effect) { (finish(effect), ...); }, effects.list);
 }
 
+/// The sums of receivers begin..end over the tiles of their neighbours: where the time of a run goes.
+/// Everything is inlined into it, since tiles live in registers and a call would send them through memory;
+/// effects and smoothing are copies, so that the compiler need not fear that a sum overwrites them. Returns
+/// how many pairs it visited.
+template <class Receivers, class N, class Smoothing, class E>
+[[gnu::flatten]] std::size_t sum_receivers(Receivers& receivers, N& neighbours, const Smoothing smoothing,
+                                           const E effects, std::size_t begin, std::size_t end,
+                                           std::size_t part) {
+    constexpr int d = N::d;
+    using Sums = SumTiles<typename E::Summed>;
+    const RowBuffer& rows = neighbours.rows();
+    const double beyond = 1e3 * neighbours.largest_reach();
+    std::size_t visited = 0;
+    for (std::size_t r = begin; r < end; ++r) {
+        const auto receiver = neighbours.receivers()[r];
+        const auto [index, count] = neighbours.of(r, neighbours.scratch(part));
+        const auto i = load<d>(receivers, receiver.index, OfReceiver<Smoothing, E>{});
+        RowOf<Tile, d, typename E::Summed> sums;
+        Sums::clear(sums);
+        for (std::size_t k = 0; k < count; k += tile_width) {
+            Neighbour j{rows, index + k, receiver.x, Packed<Smoothing, E>{}};
+            // Lanes behind the last neighbour repeat it, moved to where W and F are zero.
+            j.x_ij[0] += beyond * unused_lanes(std::min(count - k, tile_width));
+            add_all(effects, i, j, smoothing.pair(i, j, j.x_ij), sums);
+        }
+        const auto sum = Sums::reduce(sums);
+        RowOf<double, d, typename E::Stored> out{};
+        copy_common(sum, out);
+        finish_all(effects, i, sum, out);
+        store<d>(receivers, receiver.index, out);
+        visited += count;
+    }
+    return visited;
+}
+
 }  // namespace pass_detail
 
 /// One pass: for each receiver whose neighbours were found, sums the listed effects over them and stores the
@@ -139,42 +176,17 @@ template <class Receivers, class Sources, class N, class Smoothing, class... E>
 void sum_over_neighbours(Receivers& receivers, const Sources& sources, N& neighbours,
                          const Smoothing& smoothing, const Effects<E...>& effects) {
     using All = Effects<E...>;
-    constexpr int d = N::d;
-    using OfReceiver = pass_detail::OfReceiver<Smoothing, All>;
     using Packed = pass_detail::Packed<Smoothing, All>;
-    static_assert(has_all<Sources>(Packed{}) && has_all<Receivers>(OfReceiver{}) &&
+    static_assert(has_all<Sources>(Packed{}) &&
+                  has_all<Receivers>(pass_detail::OfReceiver<Smoothing, All>{}) &&
                   has_all<Receivers>(typename All::Stored{}));
-    using SumTiles = pass_detail::SumTiles<typename All::Summed>;
-
     pass_detail::pack(sources, neighbours, Packed{});
-    const RowBuffer& rows = neighbours.rows();
-    const double beyond = 1e3 * neighbours.largest_reach();
-    std::atomic<long> pairs{0};
-    neighbours.team().parallel_for(
-        neighbours.receivers().size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
-            long visited = 0;
-            for (std::size_t r = begin; r < end; ++r) {
-                const auto& receiver = neighbours.receivers()[r];
-                const auto i = load<d>(receivers, receiver.index, OfReceiver{});
-                RowOf<Tile, d, typename All::Summed> sums;
-                SumTiles::clear(sums);
-                const auto [index, count] = neighbours.of(r, neighbours.scratch(part));
-                for (std::size_t k = 0; k < count; k += tile_width) {
-                    pass_detail::Neighbour j{rows, index + k, receiver.x, Packed{}};
-                    // Lanes behind the last neighbour repeat it, moved to where W and F are zero.
-                    j.x_ij[0] += beyond * unused_lanes(std::min(count - k, tile_width));
-                    const auto pair = smoothing.pair(i, j, j.x_ij);
-                    pass_detail::add_all(effects, i, j, pair, sums);
-                }
-                const auto sum = SumTiles::reduce(sums);
-                RowOf<double, d, typename All::Stored> out{};
-                pass_detail::copy_common(sum, out);
-                pass_detail::finish_all(effects, i, sum, out);
-                store<d>(receivers, receiver.index, out);
-                visited += static_cast<long>(count);
-            }
-            pairs += visited;
-        });
+    std::atomic<std::size_t> visited{0};
+    neighbours.team().parallel_for(neighbours.receivers().size(), [&](std::size_t begin, std::size_t end,
+                                                                      std::size_t part) {
+        visited += pass_detail::sum_receivers(receivers, neighbours, smoothing, effects, begin, end, part);
+    });
+    const auto pairs = static_cast<long>(visited);
     Counters& counters = neighbours.counters();
     ++counters.passes;
     counters.pairs += pairs;

@@ -21,7 +21,6 @@ struct Bump {
 /// The same h for all.
 struct Constant {
     double h;
-    using Reads = sph::List<>;
     template <int d>
     struct Pair {
         sph::Vec<sph::Tile, d> x_ij;
