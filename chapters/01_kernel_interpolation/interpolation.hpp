@@ -148,6 +148,7 @@ struct TensorHessian {
 template <class K, class Boundary, class... Estimates>
 class InterpolationWithin {
   public:
+    using Kernel = K;
     static constexpr int d = K::dimension;
     using Scene = ParticlesOf<d, Union<List<Position, Mass, Density, Volume, Quantity>, List<Estimates...>>>;
 
@@ -164,8 +165,11 @@ class InterpolationWithin {
     const ConstantH<K>& smoothing() const noexcept { return smoothing_; }
     /// Computes the listed estimates at every particle. Neighbours are looked for in each call.
     /// Cost: a search and a pass.
-    const Scene& estimate() {
-        sum_over_neighbours(particles_, neighbours_, smoothing_, Effects{Estimates{}...});
+    const Scene& estimate() { return estimate(effects()); }
+    /// The same with estimates that have parameters.
+    template <class... E>
+    const Scene& estimate(const Effects<E...>& chosen) {
+        sum_over_neighbours(particles_, neighbours_, smoothing_, chosen);
         return particles_;
     }
     /// The listed estimates that need no A_i or rho_i, at any positions in the box.
@@ -173,12 +177,23 @@ class InterpolationWithin {
         Particles<d, Position, Estimates...> points{positions[0].size()};
         points.x = positions;
         neighbours_.find_around(positions, std::array{smoothing_.reach()}, particles_.x, Keep::nothing);
-        sum_over_neighbours(points, particles_, neighbours_, smoothing_, Effects{Estimates{}...});
+        sum_over_neighbours(points, particles_, neighbours_, smoothing_, effects());
         find();
         return points;
     }
 
+    /// The listed estimates; those that ask for a smoothing length get it.
+    auto effects() const { return Effects{with_h<Estimates>(smoothing_.h)...}; }
+
   private:
+    template <class Estimate>
+    static Estimate with_h(double h) {
+        if constexpr (requires { Estimate{.h = h}; }) {
+            return {.h = h};
+        } else {
+            return {};
+        }
+    }
     void find() { neighbours_.find(particles_.x, smoothing_.reach(), Support::gather, Keep::nothing); }
 
     Scene particles_;

@@ -21,8 +21,11 @@
 /// (x_ij, r, W, F, h) depends on the scene's smoothing.
 ///     void finish(const auto& i, const auto& sum, auto& out) const
 /// is called once a particle with the finished sums; it writes `out`, which holds the columns of Adds, with
-/// their sums, and those of Writes, which begin as zero. Sums that serve only finish() are listed as Sums:
-/// they are not stored.
+/// their sums, and those of Writes, which begin as zero.
+///
+/// An effect may build on the sums of others: `using Uses = List<ZerothMoment, Value>`. These are then part
+/// of the pass, once, whoever uses them; their sums reach finish(), and are stored only if they are listed
+/// too.
 namespace sph {
 
 namespace effects_detail {
@@ -61,14 +64,6 @@ auto adds() {
     }
 }
 template <class E>
-auto sums() {
-    if constexpr (requires { typename E::Sums; }) {
-        return typename E::Sums{};
-    } else {
-        return List<>{};
-    }
-}
-template <class E>
 auto writes() {
     if constexpr (requires { typename E::Writes; }) {
         return typename E::Writes{};
@@ -76,8 +71,45 @@ auto writes() {
         return List<>{};
     }
 }
+template <class E>
+auto uses() {
+    if constexpr (requires { typename E::Uses; }) {
+        return typename E::Uses{};
+    } else {
+        return List<>{};
+    }
+}
+
+/// An effect and all that it uses, directly or not.
+template <class E>
+struct Closure;
+template <class... U>
+struct ClosureOf;
+template <class... U>
+struct ClosureOf<List<U...>> {
+    using type = Union<List<>, typename Closure<U>::type...>;
+};
+template <class E>
+struct Closure {
+    using type = Union<typename ClosureOf<decltype(uses<E>())>::type, List<E>>;
+};
+
+template <class L>
+struct Needed;
+template <class... E>
+struct Needed<List<E...>> {
+    using ReadI = Union<decltype(reads<E>())..., decltype(reads_i<E>())...>;
+    using ReadJ = Union<decltype(reads<E>())..., decltype(reads_j<E>())...>;
+    using Summed = Union<decltype(adds<E>())...>;
+    static constexpr std::size_t pairwise =
+        (std::size_t{0} + ... + (decltype(adds<E>())::size() > 0 ? 1 : 0));
+};
 
 }  // namespace effects_detail
+
+/// Whether an effect sums over pairs.
+template <class E>
+inline constexpr bool is_pairwise = decltype(effects_detail::adds<E>())::size() > 0;
 
 /// Effects that act together in one pass. Their Adds of one name are one sum.
 template <class... E>
@@ -86,19 +118,15 @@ struct Effects {
 
     constexpr explicit Effects(E... effects) : list{effects...} {}
 
+    using Used = Difference<typename effects_detail::ClosureOf<List<E...>>::type, List<E...>>;
     /// Columns read of the receiver and of the neighbour; summed; stored.
-    using ReadI = Union<decltype(effects_detail::reads<E>())..., decltype(effects_detail::reads_i<E>())...>;
-    using ReadJ = Union<decltype(effects_detail::reads<E>())..., decltype(effects_detail::reads_j<E>())...>;
-    using Added = Union<decltype(effects_detail::adds<E>())...>;
-    using Summed = Union<Added, decltype(effects_detail::sums<E>())...>;
-    using Stored = Union<Added, decltype(effects_detail::writes<E>())...>;
-
+    using Needed = effects_detail::Needed<Union<List<E...>, Used>>;
+    using ReadI = typename Needed::ReadI;
+    using ReadJ = typename Needed::ReadJ;
+    using Summed = typename Needed::Summed;
+    using Stored = Union<decltype(effects_detail::adds<E>())..., decltype(effects_detail::writes<E>())...>;
     /// How many of them sum over pairs.
-    static constexpr std::size_t pairwise() {
-        return (
-            std::size_t{0} + ... +
-            (Union<decltype(effects_detail::adds<E>()), decltype(effects_detail::sums<E>())>{}.size() > 0));
-    }
+    static constexpr std::size_t pairwise() { return Needed::pairwise; }
 };
 
 }  // namespace sph

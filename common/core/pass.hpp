@@ -113,12 +113,19 @@ void copy_common(const Row<double, d, C...>& from, To& to) {
     (copy(C{}), ...);
 }
 
+template <class E>
+void add_one(const E& effect, const auto& i, const auto& j, const auto& pair, auto& sum) {
+    if constexpr (is_pairwise<E>) effect.add(i, j, pair, sum);
+}
+template <class... U>
+void add_used(List<U...>, [[maybe_unused]] const auto& i, [[maybe_unused]] const auto& j,
+              [[maybe_unused]] const auto& pair, [[maybe_unused]] auto& sum) {
+    (add_one(U{}, i, j, pair, sum), ...);
+}
 template <class... E>
 void add_all(const Effects<E...>& effects, const auto& i, const auto& j, const auto& pair, auto& sum) {
-    const auto add = [&](const auto& effect) {
-        if constexpr (Effects<std::decay_t<decltype(effect)>>::pairwise() > 0) effect.add(i, j, pair, sum);
-    };
-    std::apply([&](const auto&... effect) { (add(effect), ...); }, effects.list);
+    std::apply([&](const auto&... effect) { (add_one(effect, i, j, pair, sum), ...); }, effects.list);
+    add_used(typename Effects<E...>::Used{}, i, j, pair, sum);
 }
 template <class... E>
 void finish_all(const Effects<E...>& effects, const auto& i, const auto& sum, auto& out) {
@@ -167,8 +174,8 @@ template <class Receivers, class N, class Smoothing, class E>
 
 /// One pass: for each receiver whose neighbours were found, sums the listed effects over them and stores the
 /// results in the receivers' columns. `sources` are the particles whose positions were searched; `receivers`
-/// the same object, or the points of find_around(). `smoothing` makes the pair: it has Reads, a list of
-/// columns, and pair(i, j, x_ij). A column that is named and missing is a compile error that names it.
+/// the same object, or the points of find_around(). `smoothing` makes the pair: it has pair(i, j, x_ij)
+/// and says what it reads as effects do. A column that is named and missing is a compile error that names it.
 /// Bitwise the same for any number of threads, since each receiver sums its own neighbours in the order of
 /// the cells. Cost: 3-4 ns a pair for a full set of forces in 3D; rows take (d + columns read) numbers a
 /// source.

@@ -159,18 +159,28 @@ struct Trace {
         T trace{};
     };
 };
+struct ShapeSum {
+    using ReadsJ = List<Mass>;
+    using Adds = List<Shape>;
+    void add(const auto&, const auto& j, const auto& pair, auto& sum) const {
+        for (std::size_t a = 0; a < sum.shape.size(); ++a)
+            sum.shape[a] += ((pair.W > 0).select(j.m, 0.0) * pair.x_ij[a]) * pair.x_ij;
+    }
+};
 struct Measure {
     using Reads = List<Velocity>;
-    using ReadsJ = List<Mass>;
     using Adds = List<FastestNeighbour>;
-    using Sums = List<Shape>;
-    using Writes = List<Trace>;
     void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
         const auto v_ij = i.v - j.v;
         // A lane that is only padding has W = 0, and the particle itself v_ij = 0.
         sum.fastest = sum.fastest.max((pair.W > 0).select(dot(v_ij, v_ij).sqrt(), 0.0));
-        for (std::size_t a = 0; a < sum.shape.size(); ++a) sum.shape[a] += (j.m * pair.x_ij[a]) * pair.x_ij;
     }
+};
+
+/// Builds on a sum that is not stored.
+struct ShapeTrace {
+    using Uses = List<ShapeSum>;
+    using Writes = List<Trace>;
     void finish(const auto&, const auto& sum, auto& out) const {
         out.trace = 0;
         for (std::size_t a = 0; a < sum.shape.size(); ++a) out.trace += sum.shape[a][a];
@@ -189,17 +199,39 @@ TEST_CASE("maxima, tensors, and results made of sums that are not stored") {
     Neighbours<2> neighbours;
     const double h = 0.3;
     neighbours.find(particles.x, h);
-    sum_over_neighbours(particles, neighbours, test::Constant{h}, Effects{Measure{}});
+    sum_over_neighbours(particles, neighbours, test::Constant{h}, Effects{Measure{}, ShapeTrace{}});
     for (std::size_t i = 0; i < n; ++i) {
-        double fastest = 0;
+        double fastest = 0, trace = 0;
         for (std::size_t j = 0; j < n; ++j) {
             const double x = particles.x[0][i] - particles.x[0][j], y = particles.x[1][i] - particles.x[1][j];
-            if (x * x + y * y < h * h)
+            if (x * x + y * y < h * h) {
                 fastest = std::max(fastest, std::hypot(particles.v[0][i] - particles.v[0][j],
                                                        particles.v[1][i] - particles.v[1][j]));
+                trace += x * x + y * y;
+            }
         }
+        CHECK(particles.trace[i] == Approx(trace).epsilon(1e-13));
         CHECK(particles.fastest[i] == Approx(fastest).epsilon(1e-14));
     }
+}
+
+TEST_CASE("sums that several effects use are made once") {
+    // Fails if a used sum is added once for each user, or stored although it is not listed.
+    using Both = decltype(Effects{ShapeTrace{}, ShapeSum{}});
+    STATIC_REQUIRE(Both::pairwise() == 1);
+    STATIC_REQUIRE(std::is_same_v<Both::Used, List<>>);
+    using One = decltype(Effects{ShapeTrace{}});
+    STATIC_REQUIRE(std::is_same_v<One::Used, List<ShapeSum>>);
+    STATIC_REQUIRE(std::is_same_v<One::Stored, List<Trace>>);
+    STATIC_REQUIRE(std::is_same_v<One::Summed, List<Shape>>);
+    Particles<1, Position, Mass, Shape, Trace> particles{2};
+    particles.x[0] = {0, 0.5};
+    particles.m = {1, 1};
+    Neighbours<1> neighbours;
+    neighbours.find(particles.x, 1);
+    sum_over_neighbours(particles, neighbours, test::Constant{1}, Effects{ShapeTrace{}, ShapeSum{}});
+    CHECK(particles.shape[0][0] == Column{0.25, 0.25});
+    CHECK(particles.trace == Column{0.25, 0.25});
 }
 
 TEST_CASE("a ghost carries what the scene says") {
