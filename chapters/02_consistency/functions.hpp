@@ -57,14 +57,18 @@ Function<d> polynomial(double constant, double slope, double curvature) {
             }};
 }
 
-/// A sound wave with a shock in it: 1 + 0.2 sin(2 pi x) before x = 0.5, and 0.3 more slowly varying behind
-/// it.
-inline Function<1> step() {
+/// A wave that drops by 0.7 at x = 0.5: with the same slope on both sides, or (kink) with another one behind.
+inline Function<1> step(bool kink) {
     constexpr double k = 2 * pi;
-    return {[](const Vector<1>& x) {
-                return x[0] < 0.5 ? 1 + 0.2 * std::sin(k * x[0]) : 0.3 + 0.2 * std::sin(k * x[0]);
+    const auto behind = [](double x) { return x >= 0.5; };
+    return {[=](const Vector<1>& x) {
+                if (!behind(x[0])) return 1 + 0.2 * std::sin(k * x[0]);
+                return 0.3 + (kink ? 0.1 * std::sin(2 * k * x[0]) : 0.2 * std::sin(k * x[0]));
             },
-            [](const Vector<1>& x) { return Vector<1>{0.2 * k * std::cos(k * x[0])}; }};
+            [=](const Vector<1>& x) {
+                if (behind(x[0]) && kink) return Vector<1>{0.2 * k * std::cos(2 * k * x[0])};
+                return Vector<1>{0.2 * k * std::cos(k * x[0])};
+            }};
 }
 inline constexpr double step_at = 0.5;
 

@@ -17,8 +17,8 @@ struct Repairs {
 /// Computes the listed effects again for every particle whose Extent is below GuardedSolve::least, with h
 /// enlarged by 1.5, 1.5^2, ... up to about 57 until it is not. `estimates(h)` makes the Effects, which must
 /// include Extent; `particles` hold their results for smoothing length `h`. What cannot be helped keeps the
-/// guarded result of the h that saw most: no slope along the axis that is not determined. Cost: a sort and a few
-/// neighbours for each round; nothing if no particle is concerned.
+/// guarded result of the h that saw most: no slope along the axis that is not determined. Cost: a sort and a
+/// few neighbours for each round; nothing if no particle is concerned.
 template <class K, class Scene, class Boundary, class MakeEffects>
 Repairs repair(Scene& particles, const Boundary& boundary, double h, MakeEffects&& estimates) {
     constexpr int d = Scene::d;

@@ -8,7 +8,7 @@ namespace {
 
 using K = QuinticSpline<1>;
 using Estimates = InterpolationWithin<K, Free, Value, DifferenceGradient, Shepard, MatrixGradient<>,
-                                      BeyondJump, DiscontinuousFit>;
+                                      BeyondJump, DiscontinuousFit, OneSidedFit>;
 
 struct Method {
     std::string name, label;
@@ -20,20 +20,21 @@ struct Line {
     std::vector<Method> methods;
 };
 
-Line interpolated(std::size_t n, double jitter, unsigned long seed, int threads) {
-    const Function<1> function = sph::step();
-    const auto points =
-        make_points<1>(jitter > 0 ? Arrangement::jittered : Arrangement::even, n, jitter, seed);
+Line interpolated(bool kink, std::size_t n, unsigned long seed, int threads) {
+    constexpr double jitter = 0.2;
+    const Function<1> function = sph::step(kink);
+    const auto points = make_points<1>(Arrangement::jittered, n, jitter, seed);
     Estimates cloud{Free{}, points, 1.2 / static_cast<double>(n), function.value, true, threads};
     const auto& known = cloud.particles();
     const Jump jump = Jump::find(step_at, known.x[0], known.A);
     const auto& p = cloud.estimate(Effects{Value{}, DifferenceGradient{}, Shepard{}, MatrixGradient<>{},
-                                           BeyondJump{jump}, DiscontinuousFit{jump}});
+                                           BeyondJump{jump}, DiscontinuousFit{jump}, OneSidedFit{}});
     Line line{p.x[0], p.A, {}, {}};
     for (const double x : line.x) line.exact_slope.push_back(function.gradient({x})[0]);
     line.methods = {{"sph", "SPH", p.value, p.gradient[0]},
                     {"cspm", "CSPM", p.shepard, p.matrix[0]},
-                    {"dsph", "DSPH", p.dsph[0], p.dsph[1]}};
+                    {"dsph", "DSPH", p.dsph[0], p.dsph[1]},
+                    {"one-sided", "one side", p.one_sided[0], p.one_sided[1]}};
     return line;
 }
 
@@ -52,52 +53,69 @@ std::pair<double, double> errors_near_jump(const Line& line, const Method& metho
 
 }  // namespace
 
-void step(report::Run& run) {
-    plot::Figure figure{"step", 1, 2};
-    plot::Panel& left = figure.at(0, 0).labels("$x$", "$A$").x_range(0.38, 0.62);
-    plot::Panel& right = figure.at(0, 1).labels("$x$", "d$A$/d$x$").x_range(0.38, 0.62).y_range(-36, 4);
-    const Function<1> function = sph::step();
+namespace {
+
+void draw_exact(plot::Panel& value, plot::Panel& slope, bool kink) {
+    const Function<1> function = sph::step(kink);
     for (const bool behind : {false, true}) {
-        plot::Values x, value, slope;
+        plot::Values x, A, dA_dx;
         for (const double s : linear_space(behind ? step_at : 0.38, behind ? 0.62 : step_at - 1e-9, 41)) {
             x.push_back(s);
-            value.push_back(function.value({s}));
-            slope.push_back(function.gradient({s})[0]);
+            A.push_back(function.value({s}));
+            dA_dx.push_back(function.gradient({s})[0]);
         }
         const plot::Style exact{
             .label = behind ? "" : "exact", .colour = plot::Colour{0, 0, 0}, .width = 1.2};
-        left.curve(x, value, exact);
-        right.curve(x, slope, exact);
+        value.curve(x, A, exact);
+        slope.curve(x, dA_dx, exact);
     }
-    const std::vector<std::size_t> sizes{100, 200, 400, 800};
-    report::Table table{
-        {"scheme", "A: 100 particles", "800 particles", "slope: 100 particles", "800 particles"}};
-    std::vector<std::vector<std::string>> rows(3);
-    for (const std::size_t n : sizes) {
-        const Line line = interpolated(n, 0.2, run.seed(), run.threads());
-        for (std::size_t m = 0; m < line.methods.size(); ++m) {
-            const Method& method = line.methods[m];
-            const auto [value, slope] = errors_near_jump(line, method, 0.1);
-            run.result(method.name, static_cast<long>(n), "l2_f", value);
-            run.result(method.name, static_cast<long>(n), "l2_slope", slope);
-            if (n == sizes.front())
-                rows[m] = {method.label, report::number(value, 2), "", report::number(slope, 2), ""};
-            if (n == sizes.back()) {
-                rows[m][2] = report::number(value, 2);
-                rows[m][4] = report::number(slope, 2);
+}
+
+plot::Style method_style(const std::string& label, std::size_t index) {
+    constexpr std::array markers{plot::Marker::square, plot::Marker::circle, plot::Marker::diamond,
+                                 plot::Marker::triangle_up};
+    constexpr std::array colours{1, 0, 2, 3};
+    return {.label = label,
+            .colour = plot::cycle(static_cast<std::size_t>(colours.at(index))),
+            .marker = markers.at(index),
+            .marker_size = 5,
+            .filled = index == 2};
+}
+
+}  // namespace
+
+void step(report::Run& run) {
+    plot::Figure figure{"step", 2, 2};
+    figure.panel_height = 240;
+    report::Table table{{"scheme", "equal slopes: A", "slope", "unequal slopes: A", "slope"}};
+    std::vector<std::vector<std::string>> rows(4);
+    for (const bool kink : {false, true}) {
+        plot::Panel& left = figure.at(kink, 0).labels(kink ? "$x$" : "", "$A$").x_range(0.38, 0.62);
+        plot::Panel& right =
+            figure.at(kink, 1).labels(kink ? "$x$" : "", "d$A$/d$x$").x_range(0.38, 0.62).y_range(-6, 4);
+        left.titled(kink ? "another slope behind the jump" : "the same slope on both sides");
+        draw_exact(left, right, kink);
+        for (const std::size_t n : {std::size_t{100}, std::size_t{200}, std::size_t{400}, std::size_t{800}}) {
+            const Line line = interpolated(kink, n, run.seed(), run.threads());
+            for (std::size_t m = 0; m < line.methods.size(); ++m) {
+                const Method& method = line.methods[m];
+                const std::string name = method.name + (kink ? " kink" : "");
+                const auto [value, slope] = errors_near_jump(line, method, 0.1);
+                run.result(name, static_cast<long>(n), "l2_f", value);
+                run.result(name, static_cast<long>(n), "l2_slope", slope);
+                if (n == 100) {
+                    left.points(line.x, method.value, method_style(method.label, m));
+                    right.points(line.x, method.slope, method_style(method.label, m));
+                } else if (n == 800) {
+                    if (!kink) rows[m].push_back(method.label);
+                    rows[m].push_back(report::number(value, 2));
+                    rows[m].push_back(report::number(slope, 2));
+                }
             }
-            if (n != sizes.front()) continue;
-            constexpr std::array markers{plot::Marker::square, plot::Marker::circle, plot::Marker::diamond};
-            const plot::Style dots{.label = method.label,
-                                   .colour = plot::cycle(m == 2 ? 2 : 1 - m),
-                                   .marker = markers.at(m),
-                                   .marker_size = 5,
-                                   .filled = m == 2};
-            left.points(line.x, method.value, dots);
-            right.points(line.x, method.slope, dots);
         }
+        left.legend.shown = !kink;
+        right.legend.shown = false;
     }
-    right.legend.shown = false;
     for (const auto& row : rows) table.row(row);
     run.save(figure);
     run.fill("step", table.markdown());

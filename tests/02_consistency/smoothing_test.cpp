@@ -14,21 +14,23 @@ TEST_CASE("DSPH is exact for a line with a jump, CSPM is not") {
     const std::size_t n = 60;
     const auto function = [](const Vector<1>& x) { return 1 + 2 * x[0] + (x[0] < 0.4 ? 0.0 : 5.0); };
     InterpolationWithin<K, Free, Value, DifferenceGradient, Shepard, MatrixGradient<>, BeyondJump,
-                        DiscontinuousFit>
+                        DiscontinuousFit, OneSidedFit>
         cloud{Free{}, make_points<1>(Arrangement::jittered, n, 0.3, 6), 1.2 / n, function};
     const auto& known = cloud.particles();
     const Jump jump = Jump::find(0.4, known.x[0], known.A);
     CHECK(jump.x_left < 0.4);
     CHECK(jump.x_right >= 0.4);
     const auto& p = cloud.estimate(Effects{Value{}, DifferenceGradient{}, Shepard{}, MatrixGradient<>{},
-                                           BeyondJump{jump}, DiscontinuousFit{jump}});
-    double dsph = 0, cspm = 0, value = 0;
+                                           BeyondJump{jump}, DiscontinuousFit{jump}, OneSidedFit{}});
+    double dsph = 0, one_sided = 0, cspm = 0, value = 0;
     for (std::size_t i = 0; i < n; ++i) {
         dsph = std::max(dsph, std::abs(p.dsph[1][i] - 2));
+        one_sided = std::max(one_sided, std::abs(p.one_sided[1][i] - 2));
         cspm = std::max(cspm, std::abs(p.matrix[0][i] - 2));
         if (std::abs(p.x[0][i] - 0.4) < 0.1) value = std::max(value, std::abs(p.dsph[0][i] - p.A[i]));
     }
     CHECK(dsph < 1e-11);  // measured 3e-13
+    CHECK(one_sided < 1e-11);
     CHECK(cspm > 100);    // measured 2e2
     CHECK(value < 0.05);  // CSPM's own error on a slope of 2; the jump is 5
     CHECK_THROWS_AS(Jump::find(2, known.x[0], known.A), std::invalid_argument);
