@@ -68,14 +68,16 @@ struct Equations {
   private:
     template <class Equation, bool drift, class P, class Visit>
     static void apply(P& particles, Visit&& visit) {
-        using Value = typename Equation::value;
-        using Rate = typename Equation::rate;
-        static_assert(has_all<P>(List<Value, Rate>{}));
+        using ValueColumn = typename Equation::value;
+        using RateColumn = typename Equation::rate;
+        static_assert(has_all<P>(List<ValueColumn, RateColumn>{}));
         if constexpr (is_drift<Equation> == drift) {
-            constexpr bool moves = std::is_same_v<Value, Position> || std::is_same_v<Value, Velocity>;
+            constexpr bool moves =
+                std::is_same_v<ValueColumn, Position> || std::is_same_v<ValueColumn, Velocity>;
             const std::size_t count = moves ? particles.moving() : particles.size();
             for_each_component([&](Column& value, const Column& rate) { visit(value, rate, count); },
-                               member<Value, Column, P::d>(particles), member<Rate, Column, P::d>(particles));
+                               member<ValueColumn, Column, P::d>(particles),
+                               member<RateColumn, Column, P::d>(particles));
         }
     }
     template <class P, class... C>

@@ -20,6 +20,8 @@ class Run {
   public:
     virtual ~Run() = default;
     virtual bool quick() const = 0;  ///< fewer points, for a first look and for tests
+    virtual bool checking()
+        const = 0;  ///< only the text is being compared: what times are measured does not matter
     virtual int threads() const = 0;
     virtual unsigned long seed() const = 0;
     /// Adds a row to results.csv; the scene is the name of the figure or scene being run.

@@ -27,6 +27,7 @@ class FigureRun : public Run {
               Blocks& blocks);
 
     bool quick() const override { return settings_.quick; }
+    bool checking() const override { return settings_.check_text; }
     int threads() const override { return settings_.threads; }
     unsigned long seed() const override { return settings_.seed; }
     void result(const std::string& method, long n, const std::string& quantity, double value,

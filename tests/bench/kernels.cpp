@@ -96,7 +96,8 @@ void kernels(report::Run& run) {
     double naive = 0, row = 14;
     const auto add = [&](const std::string& kernel, const std::string& form,
                          const std::function<void()>& work) {
-        const Speed speed = measure(kernel + "/" + form, pairs, work);
+        const Speed speed =
+            measure(kernel + "/" + form, pairs, work, run.checking() ? 1 : 9, run.checking() ? 0.0001 : 0.02);
         if (naive == 0) naive = speed.median_ns;
         run.result(kernel + " " + form, static_cast<long>(pairs), "ns_per_pair", speed.median_ns, "ns");
         run.result(kernel + " " + form, static_cast<long>(pairs), "best_ns_per_pair", speed.best_ns, "ns");

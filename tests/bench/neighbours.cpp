@@ -91,10 +91,9 @@ void measure(report::Run& run, report::Table& table, Measured& measured, std::si
     PlainLists<d> plain{gas};
     if (static_cast<double>(plain.list()) != pairs)
         throw std::runtime_error{"neighbours: the plain lists differ"};
-    const std::vector<Lap> laps = race({{"sort", [&] { gas.find(sph::Keep::nothing); }},
-                                        {"list", [&] { gas.find(); }},
-                                        {"plain", [&] { plain.list(); }}},
-                                       run.quick() ? 2 : 7);
+    const std::vector<Lap> laps = race(run, {{"sort", [&] { gas.find(sph::Keep::nothing); }},
+                                             {"list", [&] { gas.find(); }},
+                                             {"plain", [&] { plain.list(); }}});
     const double sort = 1e9 * laps[0].median / n, list = 1e9 * (laps[1].median - laps[0].median) / pairs;
     const double all = 1e9 * laps[1].median / pairs, other = 1e9 * laps[2].median / pairs;
     const std::string name = std::to_string(d) + "D " + report::fixed(pairs / n, 0) + " neighbours";

@@ -55,7 +55,7 @@ std::vector<Method> measure_methods(report::Run& run, Gas<d>& gas) {
     }
     // Each way leaves the list as the next one wants it: the one without a list is followed by one that makes
     // it.
-    const std::vector<Lap> laps = race(ways, run.quick() ? 2 : 9);
+    const std::vector<Lap> laps = race(run, ways);
     gas.find();
     const auto pairs = static_cast<double>(gas.neighbours.pairs());
     std::vector<Method> methods;

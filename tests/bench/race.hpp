@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "common/report/chapter.hpp"
+
 namespace bench {
 
 /// One way to do a piece of work.
@@ -19,10 +21,9 @@ struct Lap {
 /// CPU seconds of the calling thread, or wall-clock seconds, which is what several threads save.
 enum class Clock { cpu, wall };
 
-/// Times all runners in turn, `rounds` >= 1 times, after one round to warm up: what disturbs the machine for
-/// a while disturbs them all, and ratios hold. A call shorter than `least` seconds is repeated within its
-/// turn.
-std::vector<Lap> race(const std::vector<Runner>& runners, int rounds, Clock clock = Clock::cpu,
-                      double least = 0.02);
+/// Times all runners in turn, seven times (twice for a quick run), after one round to warm up: what disturbs
+/// the machine for a while disturbs them all, and ratios hold. A call shorter than 20 ms is repeated within
+/// its turn. Where only the text is being checked, one call each.
+std::vector<Lap> race(const report::Run& run, const std::vector<Runner>& runners, Clock clock = Clock::cpu);
 
 }  // namespace bench

@@ -62,11 +62,10 @@ double load() {
 void parts_of_a_step(report::Run& run, std::size_t per_side) {
     Stepper stepper{per_side, 1};
     stepper.step();
-    const std::vector<Lap> laps = race({{"neighbours", [&] { stepper.find(); }},
-                                        {"density", [&] { stepper.density(); }},
-                                        {"forces", [&] { stepper.forces(); }},
-                                        {"step", [&] { stepper.step(); }}},
-                                       run.quick() ? 2 : 7);
+    const std::vector<Lap> laps = race(run, {{"neighbours", [&] { stepper.find(); }},
+                                             {"density", [&] { stepper.density(); }},
+                                             {"forces", [&] { stepper.forces(); }},
+                                             {"step", [&] { stepper.step(); }}});
     const auto n = static_cast<double>(stepper.gas().particles.size());
     const double rest = laps[3].median - laps[0].median - laps[1].median - laps[2].median;
     report::Table table{{"part of a step", "ns a particle", "share"}};
@@ -97,8 +96,7 @@ void scaling(report::Run& run) {
     for (const std::size_t side : sides) {
         Stepper one{side, 1}, two{side, 2};
         const std::vector<Lap> laps =
-            race({{"1 thread", [&] { one.step(); }}, {"2 threads", [&] { two.step(); }}}, run.quick() ? 2 : 7,
-                 Clock::wall);
+            race(run, {{"1 thread", [&] { one.step(); }}, {"2 threads", [&] { two.step(); }}}, Clock::wall);
         const auto n = static_cast<double>(one.gas().particles.size());
         count.push_back(n);
         for (std::size_t k = 0; k < 2; ++k) {
@@ -107,7 +105,7 @@ void scaling(report::Run& run) {
                        n / laps[k].best, "1/s");
         }
         run.result("2 threads", static_cast<long>(n), "gain", laps[0].best / laps[1].best);
-        table.row({report::number(n, 7), report::fixed(one.gas().neighbours_each(), 0),
+        table.row({report::fixed(n, 0), report::fixed(one.gas().neighbours_each(), 0),
                    report::timing(rate[0].back()), report::timing(rate[1].back()),
                    report::timing(laps[0].best / laps[1].best, 3)});
     }

@@ -121,23 +121,28 @@ void OnePairAtATime::for_each_pair(Add&& add) {
     }
 }
 
+template <Switches on>
+void OnePairAtATime::listed_for() {
+    for_each_pair([](Particle& i, const Particle& j, const Terms& pair) {
+        if constexpr (on.density) density(i, j, pair);
+        if constexpr (on.continuity) continuity(i, j, pair);
+        if constexpr (on.pressure) pressure(i, j, pair);
+        if constexpr (on.heating) heating(i, j, pair);
+        if constexpr (on.viscosity) viscosity(i, j, pair);
+    });
+}
+
+/// Compiled for each scene of the bench.
 void OnePairAtATime::listed() {
-    if (on_.density) {
-        for_each_pair([](Particle& i, const Particle& j, const Terms& pair) {
-            density(i, j, pair);
-            continuity(i, j, pair);
-            pressure(i, j, pair);
-            heating(i, j, pair);
-            viscosity(i, j, pair);
-        });
-    } else if (on_.viscosity) {
-        for_each_pair([](Particle& i, const Particle& j, const Terms& pair) {
-            pressure(i, j, pair);
-            viscosity(i, j, pair);
-        });
-    } else {
-        for_each_pair([](Particle& i, const Particle& j, const Terms& pair) { pressure(i, j, pair); });
-    }
+    const auto is = [this](Switches other) { return on_ == other; };
+    if (is({.density = true})) return listed_for<Switches{.density = true}>();
+    if (is({.continuity = true})) return listed_for<Switches{.continuity = true}>();
+    if (is({.pressure = true})) return listed_for<Switches{.pressure = true}>();
+    if (is({.heating = true})) return listed_for<Switches{.heating = true}>();
+    if (is({.viscosity = true})) return listed_for<Switches{.viscosity = true}>();
+    if (is({.pressure = true, .viscosity = true}))
+        return listed_for<Switches{.pressure = true, .viscosity = true}>();
+    listed_for<Switches{true, true, true, true, true}>();
 }
 
 void OnePairAtATime::with_ifs() {

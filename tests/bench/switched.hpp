@@ -12,6 +12,7 @@ namespace bench {
 
 struct Switches {
     bool density = false, continuity = false, pressure = false, heating = false, viscosity = false;
+    friend constexpr bool operator==(const Switches&, const Switches&) = default;
 };
 
 /// One effect that holds all five behind ifs.
@@ -77,6 +78,8 @@ class OnePairAtATime {
   private:
     template <class Add>
     void for_each_pair(Add&& add);
+    template <Switches on>
+    void listed_for();
 
     double h_;
     Switches on_;

@@ -65,6 +65,14 @@ std::vector<std::string> breaches(const std::vector<Include>& includes) {
         const bool app = starts_with(file, "common/app/");
         if (app && starts_with(target, "common/") && !starts_with(target, "common/app/"))
             breach("app is the lowest layer");
+        const bool core = starts_with(file, "common/core/");
+        if (core && starts_with(target, "common/") && !starts_with(target, "common/core/") &&
+            !starts_with(target, "common/app/")) {
+            breach("core uses only app");
+        }
+        const bool report = starts_with(file, "common/report/");
+        if (report && (starts_with(target, "common/core/") || starts_with(target, "common/exact/")))
+            breach("report knows neither particles nor solutions");
         const bool plot = starts_with(file, "common/plot/");
         if (plot && (starts_with(target, "common/report/") || starts_with(target, "common/core/") ||
                      starts_with(target, "common/exact/"))) {
@@ -94,6 +102,9 @@ TEST_CASE("the check of dependencies sees each kind of breach") {
     CHECK(breaches({{"common/exact/x.cpp", "common/core/cells.hpp"}}).size() == 1);
     CHECK(breaches({{"common/app/x.cpp", "common/plot/figure.hpp"}}).size() == 1);
     CHECK(breaches({{"common/plot/x.cpp", "common/report/text.hpp"}}).size() == 1);
+    CHECK(breaches({{"common/core/x.hpp", "common/report/timer.hpp"}}).size() == 1);
+    CHECK(breaches({{"common/report/x.cpp", "common/core/cells.hpp"}}).size() == 1);
+    CHECK(breaches({{"common/core/x.hpp", "common/app/team.hpp"}}).empty());
     CHECK(breaches({{"chapters/02_b/x.hpp", "chapters/01_a/y.hpp"}, {"common/plot/x.cpp", "png.h"}}).empty());
 }
 
@@ -156,4 +167,42 @@ TEST_CASE("links and pictures in the texts exist") {
         }
     }
     CHECK(links > 5);
+}
+
+namespace {
+
+std::string read(const fs::path& path) {
+    std::ifstream stream{path};
+    return {std::istreambuf_iterator<char>{stream}, {}};
+}
+
+/// What stands between a line "// [name]" and the next "// [end]" of a source.
+std::string part_of(const std::string& source, const std::string& name) {
+    const std::string begin = "// [" + name + "]\n";
+    const auto first = source.find(begin);
+    const auto last = source.find("// [end]", first);
+    if (first == std::string::npos || last == std::string::npos) return "";
+    return source.substr(first + begin.size(), last - first - begin.size());
+}
+
+}  // namespace
+
+TEST_CASE("code in the texts is the code that is tested") {
+    // <!-- code FILE PART --> stands before a block that must be that part of that file, to the letter.
+    const std::regex marker{"<!-- code (\\S+) (\\S+) -->\n```cpp\n"};
+    int blocks = 0;
+    for (const auto& entry : fs::recursive_directory_iterator{root}) {
+        const std::string path = fs::relative(entry.path(), root).generic_string();
+        if (entry.path().extension() != ".md" || starts_with(path, "build/")) continue;
+        const std::string text = read(entry.path());
+        for (std::sregex_iterator match{text.begin(), text.end(), marker}, end; match != end; ++match) {
+            INFO(path << ": " << (*match)[1] << " " << (*match)[2]);
+            const std::string expected = part_of(read(root / (*match)[1].str()), (*match)[2]);
+            const auto begin = static_cast<std::size_t>(match->position() + match->length());
+            CHECK(!expected.empty());
+            CHECK(text.substr(begin, expected.size() + 4) == expected + "```\n");
+            ++blocks;
+        }
+    }
+    CHECK(blocks == 2);
 }
