@@ -68,7 +68,7 @@ RandomPlane random_plane(std::size_t n, std::uint64_t seed) {
     InterpolationWithin<K, Free, MatrixGradient<>, Extent> guarded{Free{}, points, h, TestFunction<2>{}};
     const auto& unguarded = naive.estimate();
     auto particles = guarded.estimate();
-    const auto before = particles.matrix;
+    const auto before_repair = particles;
     RandomPlane plane;
     plane.repairs = repair<K>(particles, Free{}, h, [](double larger) {
         return Effects{MatrixGradient<>{}, Extent{.h = larger}};
@@ -80,11 +80,13 @@ RandomPlane random_plane(std::size_t n, std::uint64_t seed) {
             return std::hypot(slope[0][i] - exact[0], slope[1][i] - exact[1]);
         };
         largest = std::max(largest, std::hypot(exact[0], exact[1]));
-        const double error = miss(unguarded.matrix);
-        if (!std::isfinite(error)) ++plane.not_finite;
-        plane.naive =
-            std::isfinite(error) ? std::max(plane.naive, error) : std::numeric_limits<double>::infinity();
-        plane.guarded = std::max(plane.guarded, miss(before));
+        if (before_repair.extent[0][i] < 1e-12) {
+            ++plane.singular;
+            plane.naive = std::numeric_limits<double>::infinity();
+        } else {
+            plane.naive = std::max(plane.naive, miss(unguarded.matrix));
+        }
+        plane.guarded = std::max(plane.guarded, miss(before_repair.matrix));
         plane.repaired = std::max(plane.repaired, miss(particles.matrix));
     }
     for (double* error : {&plane.naive, &plane.guarded, &plane.repaired}) *error /= largest;

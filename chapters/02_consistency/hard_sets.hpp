@@ -26,8 +26,10 @@ HardSlopes hard_slopes(const HardSet& set);
 /// n x n random particles of the unit square, cubic spline, h = 0.8 dx, eight neighbours in the mean and
 /// often fewer: the largest error of CSPM's slope over the largest slope of chapter 1's function.
 struct RandomPlane {
-    double naive = 0, guarded = 0, repaired = 0;  ///< naive: infinite if one of its slopes is not a number
-    std::size_t not_finite = 0;                   ///< particles whose naive slope is not a number
+    double naive = 0, guarded = 0, repaired = 0;  ///< naive: infinite if one of its slopes is meaningless
+    /// Particles whose neighbours lie on a line (one neighbour, or none): the naive slope is not a number, or
+    /// noise.
+    std::size_t singular = 0;
     Repairs repairs;
 };
 RandomPlane random_plane(std::size_t n, std::uint64_t seed);

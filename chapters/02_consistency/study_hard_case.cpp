@@ -38,7 +38,7 @@ void nearly_collinear(report::Run& run, plot::Panel& panel) {
 
 /// The worst slope on random particles, some of which have no neighbours to speak of.
 void too_few_neighbours(report::Run& run, plot::Panel& panel) {
-    constexpr double not_a_number = 1e12;  // where it is drawn
+    constexpr double meaningless = 1e12;  // where it is drawn
     plot::Values n, naive, guarded, repaired;
     std::size_t flagged = 0, lost = 0, all = 0;
     for (const std::size_t side : run.quick() ? std::vector<std::size_t>{16, 32}
@@ -46,15 +46,15 @@ void too_few_neighbours(report::Run& run, plot::Panel& panel) {
         const RandomPlane plane = random_plane(side, run.seed());
         const auto count = static_cast<long>(side * side);
         n.push_back(static_cast<double>(side));
-        naive.push_back(std::min(plane.naive, not_a_number));
+        naive.push_back(std::min(plane.naive, meaningless));
         guarded.push_back(plane.guarded);
         repaired.push_back(plane.repaired);
-        run.result("naive random", count, "not_finite", static_cast<double>(plane.not_finite));
+        run.result("naive random", count, "singular", static_cast<double>(plane.singular));
         run.result("guarded random", count, "linf_slope", plane.guarded);
         run.result("repaired random", count, "linf_slope", plane.repaired);
         run.result("repaired random", count, "left", static_cast<double>(plane.repairs.left));
         flagged += plane.repairs.flagged;
-        lost += plane.not_finite;
+        lost += plane.singular;
         all += side * side;
     }
     run.fill("flagged", report::number(100 * static_cast<double>(flagged) / static_cast<double>(all), 2));
@@ -64,7 +64,7 @@ void too_few_neighbours(report::Run& run, plot::Panel& panel) {
     panel.labels("particles along a side", "largest error / largest slope").y_range(1e-2, 1e13);
     panel.curve(
         n, naive,
-        {.label = "naive (10^{12}: not a number)", .colour = plot::cycle(1), .marker = plot::Marker::square});
+        {.label = "naive (10^{12}: meaningless)", .colour = plot::cycle(1), .marker = plot::Marker::square});
     panel.curve(n, guarded, {.label = "guarded", .marker = plot::Marker::circle});
     panel.curve(
         n, repaired,

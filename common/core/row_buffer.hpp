@@ -37,7 +37,10 @@ class RowBuffer {
 
 namespace transpose_detail {
 
-// Vectors of the compiler; where the processor has shorter registers it splits them.
+using Rows = std::array<const double*, tile_width>;
+
+#if defined(__AVX512F__)
+// Vectors of the compiler, one register each.
 using V8 [[gnu::vector_size(64), gnu::may_alias]] = double;
 using V4 [[gnu::vector_size(32), gnu::may_alias, gnu::aligned(8)]] = double;
 using V2 [[gnu::vector_size(16), gnu::may_alias, gnu::aligned(8)]] = double;
@@ -63,14 +66,10 @@ inline void put(Tile& tile, V8 value) {
     *reinterpret_cast<V8*>(tile.data()) = value;
 }
 
-}  // namespace transpose_detail
-
-/// tile[c] lane l = row[l][c] for c = 0..3.
-inline void transpose_four(const std::array<const double*, tile_width>& row, std::size_t first, Tile* tile) {
-    using namespace transpose_detail;
+/// tile[c] lane l = row[l][first + c] for c = 0..3. Each register holds four numbers of two rows; the order
+/// in which rows are paired makes the lanes come out in order.
+inline void transpose_four(const Rows& row, std::size_t first, Tile* tile) {
     const auto at = [&](std::size_t l) { return row[l] + first; };
-    // Each register holds four numbers of two rows. The order in which rows are paired makes the lanes come
-    // out in order.
     const V8 a = load(at(0), at(2)), b = load(at(1), at(3)), c = load(at(4), at(6)), e = load(at(5), at(7));
     const V8 ab02 = evens(a, b), ab13 = odds(a, b), ce02 = evens(c, e), ce13 = odds(c, e);
     put(tile[0], __builtin_shufflevector(ab02, ce02, 0, 1, 4, 5, 8, 9, 12, 13));
@@ -79,23 +78,38 @@ inline void transpose_four(const std::array<const double*, tile_width>& row, std
     put(tile[3], __builtin_shufflevector(ab13, ce13, 2, 3, 6, 7, 10, 11, 14, 15));
 }
 /// The same for c = 0, 1.
-inline void transpose_two(const std::array<const double*, tile_width>& row, std::size_t first, Tile* tile) {
-    using namespace transpose_detail;
+inline void transpose_two(const Rows& row, std::size_t first, Tile* tile) {
     const auto at = [&](std::size_t l) { return row[l] + first; };
     const V8 a = load(at(0), at(2), at(4), at(6)), b = load(at(1), at(3), at(5), at(7));
     put(tile[0], evens(a, b));
     put(tile[1], odds(a, b));
 }
+#else
+// Shorter registers: number by number is as fast as shuffling halves.
+inline void transpose_four(const Rows& row, std::size_t first, Tile* tile) {
+    for (std::size_t l = 0; l < tile_width; ++l) {
+        for (std::size_t c = 0; c < 4; ++c) tile[c][static_cast<int>(l)] = row[l][first + c];
+    }
+}
+inline void transpose_two(const Rows& row, std::size_t first, Tile* tile) {
+    for (std::size_t l = 0; l < tile_width; ++l) {
+        for (std::size_t c = 0; c < 2; ++c) tile[c][static_cast<int>(l)] = row[l][first + c];
+    }
+}
+#endif
+
+}  // namespace transpose_detail
 
 /// The first `width` numbers of eight rows as `width` tiles.
 template <std::size_t width>
 std::array<Tile, (width + 3) / 4 * 4> tiles_of(const RowBuffer& rows, const std::uint32_t* index) {
-    std::array<const double*, tile_width> row;
+    transpose_detail::Rows row;
     for (std::size_t l = 0; l < tile_width; ++l) row[l] = rows.row(index[l]);
     std::array<Tile, (width + 3) / 4 * 4> tile;
-    for (std::size_t c = 0; c + 2 < width; c += 4) transpose_four(row, c, tile.data() + c);
+    for (std::size_t c = 0; c + 2 < width; c += 4) transpose_detail::transpose_four(row, c, tile.data() + c);
     constexpr std::size_t rest = width % 4;
-    if constexpr (rest == 1 || rest == 2) transpose_two(row, width - rest, tile.data() + (width - rest));
+    if constexpr (rest == 1 || rest == 2)
+        transpose_detail::transpose_two(row, width - rest, tile.data() + (width - rest));
     return tile;
 }
 

@@ -60,7 +60,7 @@ TEST_CASE("hard case: random particles with few neighbours") {
     // Bounded with the guard, accurate where h is enlarged for the few that need it, meaningless without
     // both.
     const RandomPlane plane = random_plane(128, 1);
-    CHECK(plane.not_finite > 0);  // measured 2 of 16384
+    CHECK(plane.singular > 0);  // measured 50 of 16384
     CHECK_FALSE(plane.naive < 100);
     CHECK(plane.guarded < 1.5);   // measured 0.94
     CHECK(plane.repaired < 0.2);  // measured 0.096
