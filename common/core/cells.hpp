@@ -31,6 +31,9 @@ class Cells {
     /// Cost: O(points + cells), and at most about four cells a point.
     void sort(const Columns<d>& x, std::span<const double> reach, app::Team& team);
 
+    /// Throws what sort() throws for these points.
+    static void require_sound(const Columns<d>& x, std::span<const double> reach);
+
     std::size_t size() const noexcept { return order_.size(); }
     /// The original index of the k-th point in the sorted order.
     std::span<const std::uint32_t> order() const noexcept { return order_; }
@@ -74,7 +77,6 @@ class Cells {
         for (double& component : x) component = value;
         return x;
     }
-    static void require_sound(const Columns<d>& x, std::span<const double> reach);
     std::size_t choose_grids(std::size_t points, std::span<const double> reach);
     std::size_t make_grids(const Columns<d>& x, std::span<const double> reach, app::Team& team);
     static void lay_out(Grid& grid);

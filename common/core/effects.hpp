@@ -24,8 +24,8 @@
 /// their sums, and those of Writes, which begin as zero.
 ///
 /// An effect may build on the sums of others: `using Uses = List<ZerothMoment, Value>`. These are then part
-/// of the pass, once, whoever uses them; their sums reach finish(), and are stored only if they are listed
-/// too.
+/// of the pass, once, whoever uses them, and made without parameters; their sums reach finish(), and are
+/// stored only if they are listed too.
 namespace sph {
 
 namespace effects_detail {

@@ -44,8 +44,11 @@ class Neighbours {
 
     /// Finds for each of the points `at` those of x within `reach` (one value, or one a point of `at`): for
     /// interpolating at any position. The points themselves are not neighbours of each other.
+    /// Throws as find() does. Behind a mirror a point sees what its reach leaves of the images: keep it
+    /// inside.
     void find_around(const Columns<d>& at, std::span<const double> reach, const Columns<d>& x,
                      Keep keep = Keep::list) {
+        Cells<d>::require_sound(at, reach);
         double largest = 0;
         for (const double r : reach) largest = std::max(largest, r);
         sort_sources(x, std::span{&largest, 1});
@@ -66,6 +69,8 @@ class Neighbours {
         double reach;
     };
     std::span<const Receiver> receivers() const noexcept { return receivers_; }
+    /// How many points were searched, ghosts not counted.
+    std::size_t searched() const noexcept { return count_; }
     /// Sorted indices of the neighbours of the r-th receiver, followed by the last one repeated up to a
     /// multiple of tile_width. `scratch` is used where no list is kept.
     struct Found {

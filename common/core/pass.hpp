@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "common/core/effects.hpp"
@@ -115,7 +116,12 @@ void copy_common(const Row<double, d, C...>& from, To& to) {
 
 template <class E>
 void add_one(const E& effect, const auto& i, const auto& j, const auto& pair, auto& sum) {
-    if constexpr (is_pairwise<E>) effect.add(i, j, pair, sum);
+    constexpr bool has_add = requires {
+        effect.add(i, j, pair, sum);
+    };
+    static_assert(has_add == is_pairwise<E>,
+                  "an effect with add() names what it sums in Adds, and only such a one");
+    if constexpr (has_add) effect.add(i, j, pair, sum);
 }
 template <class... U>
 void add_used(List<U...>, [[maybe_unused]] const auto& i, [[maybe_unused]] const auto& j,
@@ -176,6 +182,7 @@ template <class Receivers, class N, class Smoothing, class E>
 /// results in the receivers' columns. `sources` are the particles whose positions were searched; `receivers`
 /// the same object, or the points of find_around(). `smoothing` makes the pair: it has pair(i, j, x_ij)
 /// and says what it reads as effects do. A column that is named and missing is a compile error that names it.
+/// Throws std::logic_error unless find() was called for as many particles.
 /// Bitwise the same for any number of threads, since each receiver sums its own neighbours in the order of
 /// the cells. Cost: 3-4 ns a pair for a full set of forces in 3D; rows take (d + columns read) numbers a
 /// source.
@@ -187,6 +194,8 @@ void sum_over_neighbours(Receivers& receivers, const Sources& sources, N& neighb
     static_assert(has_all<Sources>(Packed{}) &&
                   has_all<Receivers>(pass_detail::OfReceiver<Smoothing, All>{}) &&
                   has_all<Receivers>(typename All::Stored{}));
+    if (sources.size() != neighbours.searched() || receivers.size() != neighbours.receivers().size())
+        throw std::logic_error{"sum_over_neighbours: not the particles whose neighbours were found"};
     pass_detail::pack(sources, neighbours, Packed{});
     std::atomic<std::size_t> visited{0};
     neighbours.team().parallel_for(neighbours.receivers().size(), [&](std::size_t begin, std::size_t end,

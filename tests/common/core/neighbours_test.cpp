@@ -276,6 +276,12 @@ TEST_CASE("a search refuses what it cannot answer, naming the point") {
     CHECK_THROWS_AS((Box<1>{{{1.0}}, {{1.0}}, Face::mirror}), std::invalid_argument);
     CHECK_THROWS_AS((Box<1>{{{0.0}}, {{1.0}}, {std::pair{Face::periodic, Face::free}}}),
                     std::invalid_argument);
+    CHECK_THROWS_WITH(engine.find_around({{{0.0, nan}}}, std::array{1.0}, {{{0.0}}}),
+                      Contains("coordinate of point 1"));
+    CHECK_THROWS_WITH(engine.find_around({{{0.0}}}, std::array{nan}, {{{0.0}}}),
+                      Contains("reach of point 0"));
+    CHECK_THROWS_AS(engine.find_around({{{0.0, 1.0, 2.0}}}, std::array{1.0, 1.0}, {{{0.0}}}),
+                    std::invalid_argument);
     Neighbours<1, Box<1>> tiny{Box<1>{{{0.0}}, {{1e-9}}, Face::periodic}};
     CHECK_THROWS_WITH(tiny.find({{{0.0}}}, 1), Contains("images"));
     CHECK_NOTHROW(engine.find({{{0.0, 1.0}}}, 0));

@@ -276,6 +276,19 @@ TEST_CASE("sums at other points than the particles") {
     CHECK(points.rho[1] == 0);
 }
 
+TEST_CASE("a pass refuses particles whose neighbours were not found") {
+    // Fails if the rows are made from columns of another length.
+    Particles<1, Position, Mass, Density> particles{5}, more{6};
+    Neighbours<1> neighbours;
+    const Effects effects{test::SummedDensity{}};
+    CHECK_THROWS_AS(sum_over_neighbours(particles, neighbours, test::Constant{1}, effects), std::logic_error);
+    neighbours.find(particles.x, 1);
+    CHECK_NOTHROW(sum_over_neighbours(particles, neighbours, test::Constant{1}, effects));
+    CHECK_THROWS_AS(sum_over_neighbours(more, neighbours, test::Constant{1}, effects), std::logic_error);
+    CHECK_THROWS_AS(sum_over_neighbours(more, particles, neighbours, test::Constant{1}, effects),
+                    std::logic_error);
+}
+
 TEST_CASE("nothing to sum: no particles, and one alone") {
     for (const std::size_t n : {std::size_t{0}, std::size_t{1}}) {
         ParticlesOf<3, All> particles{n};
