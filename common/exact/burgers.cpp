@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
-#include <string>
+
+#include "common/exact/require.hpp"
 
 namespace exact {
 namespace {
@@ -24,12 +23,7 @@ constexpr double negligible = 44;
 /// wide weight.
 constexpr double series_from = 0.1;
 
-void require(bool holds, const char* what, double value, const char* range) {
-    if (holds) return;
-    char text[120];
-    std::snprintf(text, sizeof text, "Burgers' equation: %s = %.17g lies outside %s", what, value, range);
-    throw std::domain_error{text};
-}
+constexpr const char* problem = "Burgers' equation";
 
 double square(double a) {
     return a * a;
@@ -68,7 +62,7 @@ struct Burgers::Folded {
 };
 
 Burgers::Burgers(double viscosity) : viscosity_{viscosity}, steepness_{1 / (2 * pi * viscosity)} {
-    require(viscosity >= least_viscosity && viscosity <= largest_viscosity, "viscosity", viscosity,
+    require(viscosity >= least_viscosity && viscosity <= largest_viscosity, problem, "viscosity", viscosity,
             "1e-4..100");
     const double bessel_0 = gsl_sf_bessel_I0_scaled(steepness_);
     for (int n = 1; n <= terms; ++n) {
@@ -77,8 +71,8 @@ Burgers::Burgers(double viscosity) : viscosity_{viscosity}, steepness_{1 / (2 * 
 }
 
 double Burgers::velocity(double x, double t) const {
-    require(std::isfinite(x), "x", x, "the finite numbers");
-    require(t >= 0 && t <= largest_time, "time", t, "0..100");
+    require(std::isfinite(x), problem, "x", x, "the finite numbers");
+    require(t >= 0 && t <= largest_time, problem, "time", t, "0..100");
     const Folded point{x};
     if (point.distance == 0) return 0;
     // |u_t / u| is at most pi + nu pi^2 at first: so early, u has not yet changed in its last digit.

@@ -5,6 +5,8 @@ namespace exact::program {
 std::vector<std::unique_ptr<Solution>> solutions() {
     std::vector<std::unique_ptr<Solution>> list;
     list.push_back(burgers());
+    list.push_back(rarefaction());
+    list.push_back(toy_star());
     return list;
 }
 

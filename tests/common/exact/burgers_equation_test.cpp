@@ -3,25 +3,11 @@
 #include <cmath>
 
 #include "common/exact/burgers.hpp"
+#include "tests/common/exact/derivatives.hpp"
 
 using exact::Burgers;
 
 namespace {
-
-/// First and second derivative of f at 0 from f(-4h) .. f(4h), errors of order h^8.
-struct Derivatives {
-    double first, second;
-};
-Derivatives derivatives(double h, const auto& f) {
-    constexpr double first[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-    constexpr double second[] = {8.0 / 5, -1.0 / 5, 8.0 / 315, -1.0 / 560};
-    Derivatives sum{0, -205.0 / 72 * f(0.0)};
-    for (int k = 1; k <= 4; ++k) {
-        sum.first += first[k - 1] * (f(k * h) - f(-k * h));
-        sum.second += second[k - 1] * (f(k * h) + f(-k * h));
-    }
-    return {sum.first / h, sum.second / (h * h)};
-}
 
 /// |u_t + u u_x - nu u_xx| over the sum of the three terms' magnitudes.
 double relative_residual(const Burgers& solution, double x, double t) {
@@ -30,8 +16,10 @@ double relative_residual(const Burgers& solution, double x, double t) {
     // Fractions of the lengths and times in which u varies: of the wave and of the shock's layer, 2 nu wide.
     const double length = std::min(0.02, 0.1 * nu);
     const double time = std::min({t / 20, 0.2 * nu, 0.004 / nu});
-    const auto in_x = derivatives(length, [&](double s) { return solution.velocity(x + s, t); });
-    const auto in_t = derivatives(time, [&](double s) { return solution.velocity(x, t + s); });
+    const auto in_x =
+        finite_difference::derivatives(length, [&](double s) { return solution.velocity(x + s, t); });
+    const auto in_t =
+        finite_difference::derivatives(time, [&](double s) { return solution.velocity(x, t + s); });
     const double advection = u * in_x.first;
     const double diffusion = nu * in_x.second;
     return std::fabs(in_t.first + advection - diffusion) /

@@ -1,57 +1,22 @@
-#include <sys/wait.h>
-
 #include <catch2/catch.hpp>
-#include <cstdio>
-#include <cstdlib>
-#include <sstream>
-#include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "common/exact/burgers.hpp"
+#include "tests/common/exact/exact_program.hpp"
+
+using exact_program::errors_of;
+using exact_program::lines;
+using exact_program::run;
 
 namespace {
-
-struct Run {
-    int status;
-    std::string text;
-};
-
-/// The program with these words; `text` is what it writes to standard output, or what `redirection` lets
-/// pass.
-Run run(const std::string& words, const std::string& redirection = "2>/dev/null") {
-    const std::string command = "'" EXACT_PROGRAM "' " + words + " " + redirection;
-    FILE* pipe = popen(command.c_str(), "r");
-    if (!pipe) throw std::runtime_error{"cannot run " + command};
-    std::string text;
-    char part[4096];
-    for (std::size_t n; (n = std::fread(part, 1, sizeof part, pipe)) > 0;) text.append(part, n);
-    const int status = pclose(pipe);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
-}
-
-/// Standard error alone.
-Run errors_of(const std::string& words) {
-    return run(words, "2>&1 >/dev/null");
-}
-
-std::vector<std::string> lines(const std::string& text) {
-    std::istringstream stream{text};
-    std::vector<std::string> all;
-    for (std::string line; std::getline(stream, line);) all.push_back(line);
-    return all;
-}
 
 struct Row {
     double x, u;
 };
 Row row(const std::string& line) {
-    char* end = nullptr;
-    const double x = std::strtod(line.c_str(), &end);
-    REQUIRE(*end == ',');
-    const double u = std::strtod(end + 1, &end);
-    REQUIRE(*end == '\0');
-    return {x, u};
+    const auto values = exact_program::numbers(line);
+    REQUIRE(values.size() == 2);
+    return {values[0], values[1]};
 }
 
 }  // namespace
@@ -144,7 +109,8 @@ TEST_CASE("exact: bad usage is one line that names the mistake, status 2, nothin
 TEST_CASE("exact --help lists the solutions, exact burgers --help its options") {
     const auto all = run("--help");
     CHECK(all.status == 0);
-    CHECK_THAT(all.text, Catch::Contains("burgers"));
+    for (const char* solution : {"burgers", "rarefaction", "toy-star"})
+        CHECK_THAT(all.text, Catch::Contains(solution));
     const auto burgers = run("burgers --help");
     CHECK(burgers.status == 0);
     for (const char* option :
