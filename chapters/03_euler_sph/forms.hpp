@@ -1,0 +1,38 @@
+#pragma once
+#include <string>
+
+#include "chapters/03_euler_sph/gas.hpp"
+
+/// What each form of the equations conserves: a sound wave in a periodic box in two dimensions, on jittered
+/// particles, so that nothing cancels by symmetry.
+namespace sph {
+
+/// (3.5) with summed density.
+template <class K>
+struct NonConservingForm : FixedH<K> {
+    using Force = NonConservingForce;
+};
+/// The force of one Phi with the density equation of another.
+template <class K, class ForcePhi, class DensityPhi>
+struct MixedForm : ContinuityH<K, DensityPhi> {
+    using Force = PressureForce<ForcePhi>;
+};
+
+struct FormRun {
+    std::string name, density, force;
+    double momentum = 0;     ///< largest change of a component, over sum m |v| at t = 0
+    Column courant, energy;  ///< change of the energy at the end, relative to the motion at t = 0, and the
+                             ///< time step [h/c_s] that it was reached with
+};
+/// `per_side`^2 particles with jitter 0.2, Mach 0.3, RK4 with each of the time steps.
+std::vector<FormRun> run_forms(const Column& courants, std::size_t per_side = 24, double time = 1,
+                               std::uint64_t seed = 1, int threads = 1);
+
+/// Thermal and thermokinetic energy (3.14, 3.18) carried along in the same flow by RK2: how far the sums of
+/// m (v^2/2 + u) and of m e are from their start, relative to the motion at t = 0.
+struct EnergyRun {
+    double thermal = 0, thermokinetic = 0;
+};
+EnergyRun run_energies(double courant, std::size_t per_side = 24, double time = 1, std::uint64_t seed = 1);
+
+}  // namespace sph
