@@ -39,7 +39,23 @@ struct Continuity {
     }
 };
 
-/// rho_i = sum_j m_j W_ij / sum_j (m_j/rho_j) W_ij   (Chen 2017, section 1.5): right at an end, where the sum
+/// d rho_i/dt = - rho_i sum_j m_j/rho_j v_j . grad_i W_ij   (Chen 2017, 166): the divergence as it stands,
+/// which does not vanish for a common velocity where W is cut off.
+struct PlainContinuity {
+    static constexpr std::string_view name = "plain rate of density";
+    template <class T, int>
+    struct In {
+        T plain_drho_dt{};
+    };
+    using ReadsI = List<Density>;
+    using ReadsJ = List<Mass, Velocity, Density>;
+    using Adds = List<PlainContinuity>;
+    void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
+        sum.plain_drho_dt -= (i.rho * j.m / j.rho) * dot(j.v, pair.x_ij) * F_i(pair);
+    }
+};
+
+/// rho_i = sum_j m_j W_ij / sum_j (m_j/rho_j) W_ij   (Chen 2017, 165): right at an end, where the sum
 /// alone sees half of the particles; needs the densities of before, and is not the density of a Lagrangian.
 struct NormalisedDensity {
     static constexpr std::string_view name = "normalised density";

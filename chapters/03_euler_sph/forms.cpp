@@ -78,6 +78,41 @@ std::vector<FormRun> run_forms(const Column& courants, std::size_t per_side, dou
     return runs;
 }
 
+DensityForms density_forms(OnLine place, bool expanding) {
+    constexpr std::size_t n = 41;
+    constexpr double dx = 1.0 / n;
+    Particles<1, Position, Velocity, Mass, Density, Volume, NormalisedDensity, PlainContinuity> p{n};
+    for (std::size_t i = 0; i < n; ++i) {
+        p.x[0][i] = dx * static_cast<double>(i);
+        p.v[0][i] = expanding ? p.x[0][i] : 1;
+        p.rho[i] = place == OnLine::light_side && i > n / 2 ? 10 : 1;
+        p.m[i] = p.rho[i] * dx;
+        p.V[i] = dx;
+    }
+    const std::size_t i = place == OnLine::end ? n - 1 : n / 2;
+    Neighbours<1> neighbours;
+    const ConstantH<CubicSpline<1>> smoothing{1.2 * dx};
+    neighbours.find(p.x, smoothing.reach());
+    const auto rate_of = [&](const auto& continuity) {
+        Particles<1, Position, Velocity, Mass, Density, DensityRate> q{n};
+        q.x = p.x;
+        q.v = p.v;
+        q.m = p.m;
+        q.rho = p.rho;
+        sum_over_neighbours(q, neighbours, smoothing, Effects{continuity});
+        return q.drho_dt[i];
+    };
+    DensityForms forms;
+    forms.differences = rate_of(Continuity<PhiIsOne>{});
+    forms.by_mass = rate_of(Continuity<PhiIsDensity>{});
+    sum_over_neighbours(p, neighbours, smoothing, Effects{PlainContinuity{}, NormalisedDensity{}});
+    forms.plain = p.plain_drho_dt[i];
+    forms.normalised = p.normalised[i];
+    sum_over_neighbours(p, neighbours, smoothing, Effects{SummedDensity{}});
+    forms.summed = p.rho[i];
+    return forms;
+}
+
 EnergyRun run_energies(double courant, std::size_t per_side, double time, std::uint64_t seed) {
     using P = Particles<2, Position, Velocity, Acceleration, Mass, Density, Pressure, ThermalEnergy, Heating,
                         ThermokineticEnergy, ThermokineticRate>;

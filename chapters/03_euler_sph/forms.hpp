@@ -28,6 +28,16 @@ struct FormRun {
 std::vector<FormRun> run_forms(const Column& courants, std::size_t per_side = 24, double time = 1,
                                std::uint64_t seed = 1, int threads = 1);
 
+/// What each density equation says of the velocity v and the exact density at one particle of a line.
+struct DensityForms {
+    double summed = 0, normalised = 0;               ///< (164), (165) over the exact density
+    double plain = 0, differences = 0, by_mass = 0;  ///< (166), (167), (168): d rho/dt over the exact density
+};
+/// Where on a line of 41 even particles (cubic spline, h = 1.2 dx) the density is asked for.
+enum class OnLine { inside, end, light_side };  ///< light_side: next to gas that is ten times as dense
+/// v = 1, or v = x if `expanding`, which makes d rho/dt = -rho.
+DensityForms density_forms(OnLine place, bool expanding);
+
 /// Thermal and thermokinetic energy (3.14, 3.18) carried along in the same flow by RK2: how far the sums of
 /// m (v^2/2 + u) and of m e are from their start, relative to the motion at t = 0.
 struct EnergyRun {

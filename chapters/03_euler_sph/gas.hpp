@@ -1,4 +1,5 @@
 #pragma once
+#include <stdexcept>
 #include <utility>
 
 #include "chapters/03_euler_sph/equation_of_state.hpp"
@@ -104,6 +105,9 @@ class Gas {
             resolution_.resolve(particles, neighbours_);
         } catch (const Unstable& failure) {
             throw Unstable{t, failure.particle, failure.quantity, failure.value};
+        } catch (const std::invalid_argument&) {  // a position or h that is not a number: say when and whose
+            require_physical(particles, t, typename P::Names{});
+            throw;
         }
         matter_.set_pressure(particles);
     }

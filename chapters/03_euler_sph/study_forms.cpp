@@ -2,6 +2,30 @@
 #include "chapters/03_euler_sph/studies.hpp"
 
 namespace sph::euler {
+namespace {
+
+/// The density equations on a line of particles, as a table.
+void density_table(report::Run& run) {
+    report::Table table{{"particle", "v", "dρ/dt, exact", "ρ (164)", "ρ (165)", "dρ/dt (166)",
+                         "(167) = (2.17)", "(168) = (2.18)"}};
+    for (const auto& [place, name] : {std::pair{OnLine::inside, std::string{"inside"}},
+                                      {OnLine::end, "at the end"},
+                                      {OnLine::light_side, "beside tenfold density"}}) {
+        for (const bool expanding : {false, true}) {
+            const DensityForms forms = density_forms(place, expanding);
+            // Zero but for rounding is zero.
+            const auto text = [](double value) {
+                return report::fixed(std::abs(value) < 1e-10 ? 0 : value, 3);
+            };
+            table.row({name, expanding ? "x" : "1", expanding ? "-1" : "0", text(forms.summed),
+                       text(forms.normalised), text(forms.plain), text(forms.differences),
+                       text(forms.by_mass)});
+        }
+    }
+    run.fill("density-forms", table.markdown());
+}
+
+}  // namespace
 
 void forms(report::Run& run) {
     plot::Figure figure{"forms", 1, 2};
@@ -57,6 +81,7 @@ void forms(report::Run& run) {
     right.curve(courants, floor, {.label = "$e$, (3.18)", .marker = plot::Marker::square});
     run.save(figure);
     run.fill("forms", table.markdown());
+    density_table(run);
 }
 
 }  // namespace sph::euler

@@ -140,7 +140,7 @@ TEST_CASE("what the forms conserve in a run") {
             CHECK(run.momentum < 1e-13);  // measured 4e-16
             if (run.name.rfind("mixed", 0) == 0) {
                 CHECK(coarse < 2 * fine);  // no time step helps
-                CHECK(fine > 3e-5);  // measured 1.2e-4 and 4e-4
+                CHECK(fine > 3e-5);        // measured 1.2e-4 and 4e-4
             } else {
                 CHECK(coarse > 12 * fine);  // measured 20 to 35: fourth order and more
             }
@@ -170,4 +170,19 @@ TEST_CASE("normalised density is right at an end, where the sum sees half of the
     sum_over_neighbours(p, neighbours, smoothing, Effects{SummedDensity{}});
     CHECK(p.rho[0] < 0.8);  // measured 0.78
     CHECK(p.rho[0] > 0.7);
+}
+
+TEST_CASE("density equations at an end, in motion, and beside a denser fluid") {
+    const DensityForms moving = density_forms(OnLine::end, false);
+    CHECK(std::abs(moving.plain) > 1);  // measured 19.4 at dx = 1/41
+    CHECK(std::abs(moving.differences) < 1e-12);
+    CHECK(std::abs(moving.by_mass) < 1e-12);
+    CHECK(moving.normalised == Approx(1).epsilon(1e-14));
+    CHECK(moving.summed < 0.8);
+    const DensityForms inside = density_forms(OnLine::inside, true);
+    CHECK(inside.differences == Approx(-1).epsilon(0.03));  // h = 1.2 dx: chapter 1's sampling error
+    CHECK(inside.by_mass == Approx(inside.differences).epsilon(1e-12));
+    const DensityForms light = density_forms(OnLine::light_side, true);
+    CHECK(light.differences == Approx(inside.differences).epsilon(1e-12));
+    CHECK(light.by_mass < 4 * inside.by_mass);  // measured 5.5 times
 }
