@@ -6,6 +6,7 @@ std::vector<std::unique_ptr<Solution>> solutions() {
     std::vector<std::unique_ptr<Solution>> list;
     list.push_back(burgers());
     list.push_back(rarefaction());
+    list.push_back(riemann());
     list.push_back(toy_star());
     return list;
 }

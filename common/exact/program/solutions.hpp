@@ -8,6 +8,7 @@ namespace exact::program {
 
 std::unique_ptr<Solution> burgers();
 std::unique_ptr<Solution> rarefaction();
+std::unique_ptr<Solution> riemann();
 std::unique_ptr<Solution> toy_star();
 
 }  // namespace exact::program
