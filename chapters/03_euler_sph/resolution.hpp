@@ -136,6 +136,7 @@ void ConsistentH<K>::resolve(P& p, N& neighbours) {
     guess(p);
     low_.assign(p.size(), 0);
     high_.assign(p.size(), std::numeric_limits<double>::infinity());
+    double change = 0;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         if (iteration == 0 || !reaches_far_enough()) {
             reach_.resize(p.size());
@@ -143,9 +144,10 @@ void ConsistentH<K>::resolve(P& p, N& neighbours) {
             neighbours.find(p.x, reach_, Support::symmetric);
         }
         sum_over_neighbours(p, neighbours, OwnH<K>{}, Effects{SummedDensity{}, DensitySlope{}});
-        if (newton_step(p) < close && reaches_far_enough()) return;
+        change = newton_step(p);
+        if (change < close && reaches_far_enough()) return;
     }
-    throw Unstable{0, Unstable::no_particle, "the smoothing length, which does not converge", 0};
+    throw Unstable{0, Unstable::no_particle, "the relative change of h in the last of 60 iterations", change};
 }
 
 /// The same h, but the terms of its variation left out: the force (3.8) with both kernels. Momentum is

@@ -39,6 +39,11 @@ void draw(report::Run& run, const std::string& name, const std::string& label, c
     run.save(figure);
 }
 
+void require_gamma_above_1(const Options& options) {
+    if (!(options.gamma > 1))
+        throw app::UsageError{"--gamma: 1 is not allowed in this scene; allowed: above 1"};
+}
+
 Spacing spacing_named(const std::string& name) {
     return name == "even" ? Spacing::even : name == "masses" ? Spacing::masses : Spacing::graded;
 }
@@ -70,6 +75,7 @@ void dispersion_scene(report::Run& run, const Options& options) {
 }
 
 void wave_scene(report::Run& run, const Options& options) {
+    require_gamma_above_1(options);
     WaveScene scene;
     scene.n = static_cast<std::size_t>(options.particles);
     scene.gamma = options.gamma;
@@ -86,8 +92,7 @@ void wave_scene(report::Run& run, const Options& options) {
 }
 
 void star_scene(report::Run& run, const Options& options) {
-    if (!(options.gamma > 1))
-        throw app::UsageError{"--gamma: 1 is not allowed in this scene; allowed: above 1"};
+    require_gamma_above_1(options);
     const auto& allowed = resolutions_at_rest();
     if (std::find(allowed.begin(), allowed.end(), options.resolution) == allowed.end())
         throw app::UsageError{"--resolution: " + options.resolution +
@@ -115,8 +120,7 @@ void star_scene(report::Run& run, const Options& options) {
 }
 
 void rarefaction_scene(report::Run& run, const Options& options) {
-    if (!(options.gamma > 1))
-        throw app::UsageError{"--gamma: 1 is not allowed in this scene; allowed: above 1"};
+    require_gamma_above_1(options);
     RarefactionScene scene;
     scene.n = static_cast<std::size_t>(options.particles);
     scene.gamma = options.gamma;
