@@ -1,7 +1,8 @@
 #pragma once
 #include <cstdint>
 
-#include "common/core/integrators.hpp"
+#include "common/core/counters.hpp"
+#include "common/core/unstable.hpp"
 
 /// Leapfrog on integers: reversible to the last bit. Rounding is why a trajectory run backwards misses its
 /// start; sums of integers are exact, so what one step adds the reversed step takes away.
@@ -27,7 +28,8 @@ class FixedPointLeapfrog {
         drift(dt / 2);
         write(p);
         t += dt;
-        integrators_detail::finish_step<Equations<Evolve<Position, Velocity>>>(p, t, *counters_);
+        ++counters_->steps;
+        require_physical(p, t, List<Position, Velocity>{});
     }
     /// Rounds the particles' positions and velocities to whole multiples, and goes on from there.
     template <class P>

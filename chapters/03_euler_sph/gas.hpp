@@ -144,7 +144,6 @@ class Gas {
     Counters& counters() { return neighbours_.counters(); }
     const Resolution& resolution() const { return resolution_; }
     const Matter& matter() const { return matter_; }
-    Neighbours<d, Boundary>& neighbours() { return neighbours_; }
 
   private:
     template <class... Heats>

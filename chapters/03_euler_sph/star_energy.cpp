@@ -185,16 +185,9 @@ EnergyHistory run_star_energy(const StarScene& scene, const std::string& name, d
 
 CentreRun run_centres(const StarScene& scene, double amplitude, double time) {
     CentreRun run;
-    Column t;
-    run.conserving_momentum =
-        follow_centre(scene, ConsistentH<K>{HRule{1.2}}, amplitude, time, t, run.conserving_centre);
-    try {
-        run.momentum = follow_centre(scene, NonConservingH{HRule{1.2}}, amplitude, time, run.t, run.centre);
-    } catch (const Unstable& failure) {
-        run.failure = failure.what();
-        run.failure_time = failure.time;
-    }
-    if (run.t.size() < t.size()) run.conserving_centre.resize(run.t.size());
+    run.conserving_momentum = follow_centre(scene, ConsistentH<K>{HRule{1.2}}, amplitude, time,
+                                            run.conserving_t, run.conserving_centre);
+    run.momentum = follow_centre(scene, NonConservingH{HRule{1.2}}, amplitude, time, run.t, run.centre);
     return run;
 }
 

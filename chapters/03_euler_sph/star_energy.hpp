@@ -26,12 +26,11 @@ EnergyHistory run_star_energy(const StarScene& scene, const std::string& integra
 
 /// A star whose pressure force does not conserve momentum (3.5), and the same with (3.8).
 struct CentreRun {
-    Column t, centre, conserving_centre;  ///< of mass
-    double momentum = 0, conserving_momentum = 0;
-    std::string failure;  ///< what stopped the non-conserving star, if anything did
-    double failure_time = 0;
+    Column t, centre;                              ///< of mass, with the force (3.5)
+    Column conserving_t, conserving_centre;        ///< with (5.8)
+    double momentum = 0, conserving_momentum = 0;  ///< largest, by mass and amplitude
 };
-/// Started with the velocity of mode 3 and amplitude `amplitude`.
+/// Started with the velocity of mode 3 and amplitude `amplitude`. Throws Unstable.
 CentreRun run_centres(const StarScene& scene, double amplitude, double time);
 
 }  // namespace sph

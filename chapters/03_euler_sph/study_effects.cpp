@@ -18,10 +18,7 @@ double ns_a_pair(report::Run& run, const Smoothing& smoothing, const E&... effec
     const std::size_t per_side = 64;
     const double h = 1.3 / static_cast<double>(per_side);
     Listed<Smoothing, E...> p{per_side * per_side};
-    p.x = make_points<2>(Arrangement::jittered, per_side, 0.2, 1);
-    p.for_each_column([](auto, Column& column) {
-        if (column.front() == 0) std::fill(column.begin(), column.end(), 1.0);
-    });
+    p.for_each_column([](auto, Column& column) { std::fill(column.begin(), column.end(), 1.0); });
     p.x = make_points<2>(Arrangement::jittered, per_side, 0.2, 1);
     if constexpr (requires { p.h[0]; }) p.h.assign(p.size(), h);
     Neighbours<2, Box<2>> neighbours{periodic_unit_box<2>()};
@@ -44,15 +41,15 @@ void cost_of_effects(report::Run& run) {
     const BothH<K> both{};
     const std::vector<Cost> costs{
         {"density", ns_a_pair(run, one, SummedDensity{})},
-        {"density and its slope, own h", ns_a_pair(run, OwnH<K>{}, SummedDensity{}, DensitySlope{})},
+        {"density and its slope with own h", ns_a_pair(run, OwnH<K>{}, SummedDensity{}, DensitySlope{})},
         {"pressure (3.8)", ns_a_pair(run, one, PressureForce<>{})},
         {"pressure (3.8) and linear force", ns_a_pair(run, one, PressureForce<>{}, LinearForce{1})},
         {"pressure (5.32)", ns_a_pair(run, one, PressureForce<PhiIsOne>{})},
         {"pressure (5.36)", ns_a_pair(run, one, PressureForce<PhiIsRootPressure>{})},
         {"pressure (3.8) and heating", ns_a_pair(run, one, PressureForce<>{}, CompressionHeating<>{})},
-        {"pressure (3.8), heating, work",
+        {"pressure (3.8) with heating and work",
          ns_a_pair(run, one, PressureForce<>{}, CompressionHeating<>{}, Work{})},
-        {"pressure (5.8), both h", ns_a_pair(run, both, GradHForce{})},
+        {"pressure (5.8) with both h", ns_a_pair(run, both, GradHForce{})},
         {"pressure (5.8) and heating", ns_a_pair(run, both, GradHForce{}, GradHHeating{})}};
     plot::Figure figure{"cost-of-effects"};
     plot::Panel& panel = figure.panel()
@@ -65,8 +62,7 @@ void cost_of_effects(report::Run& run) {
         at.push_back(y);
         panel.y.tick_names.push_back(costs[k].label);
         panel.band({0, costs[k].ns}, {y - 0.3, y - 0.3}, {y + 0.3, y + 0.3}).colour = plot::cycle(0);
-        run.result(costs[k].label == "" ? "none" : "effects " + std::to_string(k + 1), 4096,
-                   "cpu_ns_per_pair", costs[k].ns, "ns");
+        run.result(costs[k].label, 4096, "cpu_ns_per_pair", costs[k].ns, "ns");
         table.row({costs[k].label, report::timing(costs[k].ns)});
     }
     panel.y.ticks = at;

@@ -41,16 +41,14 @@ void energy(report::Run& run) {
             row.push_back(drift[k] < 1e-8 ? "< 10⁻⁸" : report::number(drift[k], 1));
         }
         table.row(row);
-        {
-            right.curve(courants, amplitude,
-                        {.label = name, .colour = plot::cycle(index), .marker = plot::Marker::circle});
-            if (name == "RK4" || name == "naive steps")
-                right.curve(courants, drift,
-                            {.label = name + ", drift",
-                             .colour = plot::cycle(index),
-                             .dash = plot::Dash::dashed,
-                             .marker = plot::Marker::square});
-        }
+        right.curve(courants, amplitude,
+                    {.label = name, .colour = plot::cycle(index), .marker = plot::Marker::circle});
+        if (name == "RK4" || name == "naive steps")
+            right.curve(courants, drift,
+                        {.label = name + ", drift",
+                         .colour = plot::cycle(index),
+                         .dash = plot::Dash::dashed,
+                         .marker = plot::Marker::square});
         if (name == "kick-drift-kick") {
             const double order = -report::fitted_order(courants, amplitude);
             run.result(name, 100, "rate_energy_amplitude", order);

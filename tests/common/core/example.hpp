@@ -34,7 +34,7 @@ using Motion = Equations<Evolve<Position, Velocity>, Evolve<Velocity, Accelerati
 inline Counters run(Drop& drop, double h, double dt, int steps, int threads) {
     Neighbours<2> neighbours{Free{}, threads};
     const ConstantH<CubicSpline<2>> smoothing{h};
-    const auto rates = [&](double) {
+    const auto rates = [&](double /*t*/) {
         neighbours.find(drop.x, smoothing.reach());
         sum_over_neighbours(drop, neighbours, smoothing, Effects{SummedDensity{}});
         for (std::size_t i = 0; i < drop.size(); ++i) drop.p[i] = drop.rho[i] * drop.rho[i];
