@@ -4,6 +4,7 @@
 #include "chapters/03_euler_sph/external.hpp"
 #include "chapters/03_euler_sph/forms.hpp"
 #include "chapters/03_euler_sph/gas.hpp"
+#include "chapters/03_euler_sph/necklace.hpp"
 
 using namespace sph;
 
@@ -185,4 +186,23 @@ TEST_CASE("density equations at an end, in motion, and beside a denser fluid") {
     const DensityForms light = density_forms(OnLine::light_side, true);
     CHECK(light.differences == Approx(inside.differences).epsilon(1e-12));
     CHECK(light.by_mass < 4 * inside.by_mass);  // measured 5.5 times
+}
+
+TEST_CASE("a tracer on top of a particle of the gas feels what the particle feels") {
+    // Circulation would be conserved by any potential: this holds the factor 2 K.
+    constexpr double K = 0.7;
+    Gas<FixedH<CubicSpline<2>>, Barotropic<Quadratic>, Box<2>> gas{
+        144, FixedH<CubicSpline<2>>{1.3 / 12}, {{K}}, periodic_unit_box<2>(), 1};
+    fill(gas, 12, 1.3);
+    gas.rates(0);
+    Particles<2, Position, Acceleration> tracers{144};
+    tracers.x = gas.particles.x;
+    Neighbours<2, Box<2>> around{periodic_unit_box<2>()};
+    around.find_around(tracers.x, std::array{gas.resolution().smoothing().reach()}, gas.particles.x);
+    sum_over_neighbours(tracers, gas.particles, around, gas.resolution().smoothing(),
+                        Effects{TracerForce{2 * K}});
+    for (std::size_t i = 0; i < 144; ++i) {
+        for (std::size_t a = 0; a < 2; ++a)
+            CHECK(tracers.dv_dt[a][i] == Approx(gas.particles.dv_dt[a][i]).epsilon(1e-11).margin(1e-11));
+    }
 }
