@@ -5,9 +5,14 @@ namespace exact::program {
 std::vector<std::unique_ptr<Solution>> solutions() {
     std::vector<std::unique_ptr<Solution>> list;
     list.push_back(burgers());
+    list.push_back(noh());
     list.push_back(rarefaction());
     list.push_back(riemann());
+    list.push_back(sedov());
+    list.push_back(shear_wave());
+    list.push_back(taylor_green());
     list.push_back(toy_star());
+    list.push_back(woodward_colella());
     return list;
 }
 

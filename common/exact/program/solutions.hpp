@@ -7,8 +7,13 @@
 namespace exact::program {
 
 std::unique_ptr<Solution> burgers();
+std::unique_ptr<Solution> noh();
 std::unique_ptr<Solution> rarefaction();
 std::unique_ptr<Solution> riemann();
+std::unique_ptr<Solution> sedov();
+std::unique_ptr<Solution> shear_wave();
+std::unique_ptr<Solution> taylor_green();
 std::unique_ptr<Solution> toy_star();
+std::unique_ptr<Solution> woodward_colella();
 
 }  // namespace exact::program
