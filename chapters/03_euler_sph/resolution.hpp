@@ -69,7 +69,9 @@ class ConsistentH {
     using Heats = GradHHeating;
     using Evolves = Equations<>;
 
-    explicit ConsistentH(HRule h_rule) : rule{h_rule} {}
+    /// `close`: the relative change of h at which the iteration ends; what is left is its square. The default
+    /// is for gases that conserve energy through h alone.
+    explicit ConsistentH(HRule h_rule, double close = 1e-12) : rule{h_rule}, close_{close} {}
     HRule rule;
 
     BothH<K> smoothing() const { return {}; }
@@ -82,8 +84,7 @@ class ConsistentH {
 
   private:
     static constexpr int most_iterations = 60;
-    static constexpr double slack = 1.1;    // room to grow before the neighbours must be found again
-    static constexpr double close = 1e-12;  // Omega is that of the h before the last step
+    static constexpr double slack = 1.1;  // room to grow before the neighbours must be found again
 
     /// Goes on as from the h before the last to the last: with equal time steps this saves a pass.
     template <class P>
@@ -98,6 +99,7 @@ class ConsistentH {
     template <class P>
     double newton_step(P& particles);
 
+    double close_;
     Column reach_, last_, low_, high_;  // where to look for neighbours; brackets of each h
 };
 
@@ -145,7 +147,7 @@ void ConsistentH<K>::resolve(P& p, N& neighbours) {
         }
         sum_over_neighbours(p, neighbours, OwnH<K>{}, Effects{SummedDensity{}, DensitySlope{}});
         change = newton_step(p);
-        if (change < close && reaches_far_enough()) return;
+        if (change < close_ && reaches_far_enough()) return;
     }
     throw Unstable{0, Unstable::no_particle, "the relative change of h in the last of 60 iterations", change};
 }
