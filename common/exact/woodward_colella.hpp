@@ -23,7 +23,7 @@ class WoodwardColella {
         double x, rho, v, p;
     };
 
-    /// The stored reference, computed with 51200 cells; 1160 of their centres are nodes. L1 of the difference
+    /// The stored reference, computed with 51200 cells; 1030 of their centres are nodes. L1 of the difference
     /// to 25600 cells over L1, measured: rho 2.1e-4, v 1.9e-4, p 8.9e-5, half of what it is from 12800 to
     /// 25600 cells, so that the reference is as far from the truth again. The lines between the nodes add rho
     /// 7e-5, v 1.1e-4, p 4e-5. Beside the contact at x = 0.7648 the density of two cells, 5e-6 wide,

@@ -1,0 +1,62 @@
+#pragma once
+#include "chapters/04_artificial_viscosity/viscosities.hpp"
+
+/// Artificial conduction: thermal energy exchanged between neighbours, so that it has no jump that the
+/// density cannot follow.
+namespace sph {
+
+struct NoConduction {};
+
+/// du_i/dt = sum_j m_j alpha_u v_u (u_i - u_j)/rho r F, r F <= 0   (8.23, with a signal speed v_u of its
+/// own). Antisymmetric: what i loses, j gains. alpha_u >= 0 [-]; Speed gives v_u [velocity], symmetric.
+template <class Speed>
+struct Conduction {
+    Speed speed;
+    using Reads = Union<List<ThermalEnergy, Density>, typename Speed::Reads>;
+    using ReadsJ = List<Mass>;
+    using Adds = List<Heating>;
+    void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
+        const Tile v_u = speed.of(i, j, pair);
+        sum.du_dt += j.m * v_u * (i.u - j.u) / (0.5 * (i.rho + j.rho)) * pair.r * mean_F(pair);
+    }
+};
+
+/// v_u = K v_sig for approaching particles, as in the viscosity: what the dissipation of the thermokinetic
+/// energy (8.18-8.20) does to u   (8.23)
+struct SignalSpeed {
+    double K = 0.5, beta = 4;
+    using Reads = List<MiddleVelocity, SoundSpeed>;
+    Tile of(const auto& i, const auto& j, const auto& pair) const {
+        const Tile approach = closing_speed(i.v_mid - j.v_mid, pair).min(0.0);
+        return K * (i.c_s + j.c_s - beta * approach);
+    }
+};
+
+/// v_u = alpha_u sqrt(|P_i - P_j|/rho): works until the pressure is even, which is what a contact asks for,
+/// and not beyond (Price 2008, J. Comput. Phys. 227, 10040, eq. 18).
+struct PressureJumpSpeed {
+    double alpha_u = 1;
+    using Reads = List<Pressure, Density>;
+    Tile of(const auto& i, const auto& j, const auto&) const {
+        return alpha_u * ((i.p - j.p).abs() / (0.5 * (i.rho + j.rho))).sqrt();
+    }
+};
+
+/// The strength of a particle's conduction.
+struct ConductionAlpha {
+    static constexpr std::string_view name = "alpha of conduction";
+    template <class T, int>
+    struct In {
+        T alpha_u{};
+    };
+};
+/// v_u = (alpha_u,i + alpha_u,j)/2 (c_i + c_j)/2 with an alpha_u of each particle's own   (Price 2004, after
+/// 8.28).
+struct OwnSpeed {
+    using Reads = List<ConductionAlpha, SoundSpeed>;
+    Tile of(const auto& i, const auto& j, const auto&) const {
+        return 0.25 * (i.alpha_u + j.alpha_u) * (i.c_s + j.c_s);
+    }
+};
+
+}  // namespace sph

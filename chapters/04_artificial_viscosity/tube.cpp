@@ -1,0 +1,172 @@
+#include "chapters/04_artificial_viscosity/tube.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "common/core/unstable.hpp"
+#include "common/report/norms.hpp"
+#include "common/report/timer.hpp"
+
+namespace sph {
+namespace {
+
+using State = exact::Riemann::State;
+
+double sound_speed(const State& state, double gamma) {
+    return std::sqrt(gamma * state.p / state.rho);
+}
+
+/// The speed at which the outermost wave runs into the state, away from the middle.
+double wave_speed(const State& state, double p_star, double gamma) {
+    const double c_s = sound_speed(state, gamma), ratio = p_star / state.p;
+    return ratio > 1 ? c_s * std::sqrt((gamma + 1) / (2 * gamma) * ratio + (gamma - 1) / (2 * gamma)) : c_s;
+}
+
+/// How far one side must reach, side = -1 or +1.
+double reach(const TubeScene& scene, const State& state, double side, double p_star) {
+    if (state.rho == 0) return 0;
+    const double run = scene.time * side * state.v;  // how far the end itself goes outwards
+    return std::max({0.5, 0.5 - run, scene.time * wave_speed(state, p_star, scene.gamma)});
+}
+
+struct Placed {
+    double x;
+    const State* state;
+};
+
+/// The particles of one side from the middle outwards. `fixed` of them lie beyond what waves reach.
+std::vector<Placed> place(const State& state, double side, double length, double dx, std::size_t fixed) {
+    if (state.rho == 0) return {};
+    const double wanted = length / dx + 10;
+    if (!(wanted < 1e7)) throw std::invalid_argument{"more than ten million particles on one side"};
+    std::vector<Placed> result;
+    const auto n = static_cast<std::size_t>(wanted) + fixed;
+    for (std::size_t k = 0; k < n; ++k)
+        result.push_back({side * (static_cast<double>(k) + 0.5) * dx, &state});
+    return result;
+}
+
+std::unique_ptr<Model<1>> make_tube(const TubeScene& scene, const Method& method) {
+    constexpr std::size_t fixed = 12;  // more than two supports
+    const double m = 0.5 * (scene.left.rho + scene.right.rho) / static_cast<double>(scene.n);
+    const auto [begin, end] = tube_ends(scene);
+    const auto left = place(scene.left, -1, -begin, m / scene.left.rho, fixed);
+    const auto right = place(scene.right, 1, end, m / scene.right.rho, fixed);
+    std::vector<Placed> inner, ends;
+    for (std::size_t k = left.size(); k-- > 0;) (k + fixed < left.size() ? inner : ends).push_back(left[k]);
+    for (std::size_t k = 0; k < right.size(); ++k)
+        (k + fixed < right.size() ? inner : ends).push_back(right[k]);
+    std::mt19937_64 random{scene.seed};
+    for (Placed& placed : inner) placed.x += scene.jitter * random_shift(random) * m / placed.state->rho;
+    const std::size_t moving = inner.size();
+    inner.insert(inner.end(), ends.begin(), ends.end());
+    auto gas = make_model(method, inner.size(), scene.gamma, Box<1>{{-1}, {1}, Face::free}, scene.threads);
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+        const State& state = *inner[i].state;
+        gas->set(i, {inner[i].x}, {state.v}, m, state.rho, state.p / (state.rho * (scene.gamma - 1)));
+    }
+    gas->fix_from(moving);
+    return gas;
+}
+
+void append(Profile& profile, double x, const exact::Riemann::Point& at) {
+    profile.x.push_back(x);
+    profile.rho.push_back(at.rho);
+    profile.v.push_back(at.v);
+    profile.p.push_back(at.p);
+    profile.u.push_back(at.u);
+}
+
+void require_sound(const TubeScene& scene) {
+    for (const State* state : {&scene.left, &scene.right}) {
+        if (state->rho > 0 && !(state->p > 0))
+            throw std::invalid_argument{"a gas without pressure has no time step; allowed: p above 0"};
+    }
+    if (!(scene.jitter >= 0 && scene.jitter < 0.5)) throw std::invalid_argument{"jitter outside 0..0.5"};
+    if (!(scene.time > 0)) throw std::invalid_argument{"time must be above 0"};
+}
+
+}  // namespace
+
+void require_order(const Column& x, std::size_t n, double t) {
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+        const double gap = x[i + 1] - x[i];
+        if (!(gap > 0)) throw Unstable{t, i, "the distance to the next particle", gap};
+    }
+}
+
+Column spacings(const Column& x) {
+    Column dx(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const std::size_t low = i == 0 ? 0 : i - 1, high = std::min(i + 1, x.size() - 1);
+        dx[i] = high > low ? (x[high] - x[low]) / static_cast<double>(high - low) : 0;
+    }
+    return dx;
+}
+
+TubeRun run_tube(const TubeScene& scene, const Method& method) {
+    require_sound(scene);
+    const exact::Riemann solution{scene.left, scene.right, scene.gamma};
+    const auto gas = make_tube(scene, method);
+    gas->resolve(0);
+    const double energy = gas->energy(), momentum = gas->momentum()[0];
+    double scale = 0;
+    for (std::size_t i = 0; i < gas->size(); ++i)
+        scale += gas->m()[i] *
+                 (std::abs(gas->v()[0][i]) + std::sqrt(scene.gamma * (scene.gamma - 1) * gas->u()[i]));
+    double t = 0;
+    const double begin = report::thread_cpu_seconds();
+    gas->advance(t, scene.time, scene.courant, [&](double now) {
+        require_order(gas->x()[0], gas->moving(), now);
+        if (gas->counters().steps >= scene.most_steps)
+            throw Unstable{now, Unstable::no_particle, "the number of steps", double(scene.most_steps)};
+    });
+    TubeRun run;
+    run.seconds = report::thread_cpu_seconds() - begin;
+    run.energy_drift = std::abs(gas->energy() / energy - 1);
+    run.momentum_drift = std::abs(gas->momentum()[0] - momentum) / scale;
+    run.counters = gas->counters();
+    const auto moving = static_cast<std::ptrdiff_t>(gas->moving());
+    const auto part = [moving](const Column& c) { return Column(c.begin(), c.begin() + moving); };
+    run.profile = {part(gas->x()[0]), part(gas->rho()), part(gas->v()[0]), part(gas->p()), part(gas->u())};
+    compare(run, spacings(run.profile.x), solution, scene.time);
+    return run;
+}
+
+std::array<double, 2> tube_ends(const TubeScene& scene) {
+    const double p_star = exact::Riemann{scene.left, scene.right, scene.gamma}.star().p;
+    return {-reach(scene, scene.left, -1, p_star), reach(scene, scene.right, 1, p_star)};
+}
+
+void compare(TubeRun& run, const Column& all_dx, const exact::Riemann& solution, double time) {
+    const Profile all = std::move(run.profile);
+    run.profile = {};
+    Column dx;
+    for (std::size_t i = 0; i < all.x.size(); ++i) {
+        if (!(std::abs(all.x[i]) < 0.5)) continue;
+        const auto exact = solution.at(all.x[i], time);
+        dx.push_back(all_dx[i]);
+        append(run.profile, all.x[i], {all.rho[i], all.v[i], all.p[i], all.u[i]});
+        append(run.exact, all.x[i], exact);
+    }
+    if (dx.empty()) return;
+    const auto error = [&](const Column& value, const Column& exact) {
+        const bool zero = std::all_of(exact.begin(), exact.end(), [](double e) { return e == 0; });
+        return zero ? 0 : report::l1_error(value, exact, dx);
+    };
+    run.l1_rho = error(run.profile.rho, run.exact.rho);
+    run.l1_v = error(run.profile.v, run.exact.v);
+    run.l1_p = error(run.profile.p, run.exact.p);
+    run.l1_u = error(run.profile.u, run.exact.u);
+    const auto largest = [](const Column& c) { return *std::max_element(c.begin(), c.end()); };
+    run.overshoot = std::max(0.0, largest(run.profile.rho) / largest(run.exact.rho) - 1);
+    const auto& star = solution.star();
+    if (star.vacuum) return;
+    const auto n = static_cast<std::ptrdiff_t>(all.x.size());
+    const auto contact = std::lower_bound(all.x.begin(), all.x.end(), star.v * time) - all.x.begin();
+    for (auto k = std::max<std::ptrdiff_t>(0, contact - 6); k < std::min(n, contact + 6); ++k)
+        run.wiggle = std::max(run.wiggle, std::abs(all.p[static_cast<std::size_t>(k)] / star.p - 1));
+}
+
+}  // namespace sph
