@@ -53,8 +53,8 @@ struct FiniteVolume2DOptions {
 /// Numer. Anal. 5 (1968) 506). No heat conduction. Walls are slippery.
 ///
 /// Robust as FiniteVolume is. At low Mach numbers it damps vortices as Godunov schemes do, with the speed of
-/// sound: take 64 cells a vortex at Mach 0.1. Cost, measured with AVX-512: 16 nanoseconds a cell and step, 23
-/// with viscosity. Memory: 90 bytes a cell; none is allocated in steps.
+/// sound: take 64 cells a wavelength at Mach 0.1. Cost, measured with AVX-512: 16 nanoseconds a cell and
+/// step, 23 with viscosity. Memory: 90 bytes a cell; none is allocated in steps.
 class FiniteVolume2D {
   public:
     /// Throws std::domain_error, which names the value, for cells or options outside their ranges.

@@ -25,16 +25,16 @@ struct Fluxes {
     double *mass, *n, *t, *energy;
 };
 
-/// The fluxes through the faces [begin, end) between the states l[i] and r[i], and the speed of the fastest
-/// wave of each. With shocks: by HLL where either mark is set.
+/// The fluxes through `count` faces between the states l[i] and r[i], and the speed of the fastest wave of
+/// each. With shocks: by HLL where either mark is set.
 template <bool shocks>
 void solve(const States& l, const States& r, const double* mark_l, const double* mark_r, const Fluxes& flux,
-           double* speed, std::size_t begin, std::size_t end, double gamma) {
+           double* speed, std::size_t count, double gamma) {
     const double *l_rho = l.rho, *l_n = l.n, *l_t = l.t, *l_p = l.p;
     const double *r_rho = r.rho, *r_n = r.n, *r_t = r.t, *r_p = r.p;
     double *f_mass = flux.mass, *f_n = flux.n, *f_t = flux.t, *f_energy = flux.energy;
 #pragma GCC ivdep
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         const hllc::Gas left{l_rho[i], l_n[i], l_p[i]}, right{r_rho[i], r_n[i], r_p[i]};
         const hllc::Fan waves = hllc::fan(left, right, gamma);
         hllc::Flux f = hllc::flux(left, right, waves, gamma);
@@ -119,26 +119,28 @@ void FiniteVolume2D::predict(std::size_t j, double dt) {
 
 /// west, east -> flux_x of row j - 1; north of row j - 2 and south of row j - 1 -> flux_y between them.
 void FiniteVolume2D::solve_faces(std::size_t j) {
-    const auto states = [](const Columns& c) {
-        return States{c.rho.data(), c.n.data(), c.t.data(), c.p.data()};
+    const auto states = [](const Columns& c, std::size_t from) {
+        return States{&c.rho[from], &c.n[from], &c.t[from], &c.p[from]};
     };
-    const auto before = [](const Columns& c) {  // of the cell on the left
-        return States{c.rho.data() - 1, c.n.data() - 1, c.t.data() - 1, c.p.data() - 1};
+    const auto fluxes = [](Columns& c) {
+        return Fluxes{&c.rho[ghosts], &c.n[ghosts], &c.t[ghosts], &c.p[ghosts]};
     };
-    const auto fluxes = [](Columns& c) { return Fluxes{c.rho.data(), c.n.data(), c.t.data(), c.p.data()}; };
-    const std::size_t now = j % 2, last = 1 - now, first = ghosts, end = ghosts + grid_.nx;
-    const double *shock_x = rows_.shock_x[now].data(), *shock_y = rows_.shock_y[now].data();
-    const bool any_x =
-        hllc::largest(shock_x, stride_) > 0 || hllc::largest(rows_.shock_x[last].data(), stride_) > 0;
+    const std::size_t now = j % 2, last = 1 - now, first = ghosts;
+    const auto any = [&](const std::vector<double>& marks) {
+        return hllc::largest(marks.data(), stride_) > 0;
+    };
+    const auto &shock_x = rows_.shock_x, &shock_y = rows_.shock_y;
     if (j >= 1 && j <= grid_.ny) {
-        const auto solve_x = hllc::largest(shock_y, stride_) > 0 ? solve<true> : solve<false>;
-        solve_x(before(rows_.east), states(rows_.west), shock_y - 1, shock_y, fluxes(rows_.flux_x[now]),
-                rows_.rate_x[now].data(), first, end + 1, options_.gamma);
+        const auto solve_x = any(shock_y[now]) ? solve<true> : solve<false>;
+        solve_x(states(rows_.east, first - 1), states(rows_.west, first), &shock_y[now][first - 1],
+                &shock_y[now][first], fluxes(rows_.flux_x[now]), &rows_.rate_x[now][first], grid_.nx + 1,
+                options_.gamma);
     }
     if (j >= 1) {
-        const auto solve_y = any_x ? solve<true> : solve<false>;
-        solve_y(states(rows_.north[last]), states(rows_.south), rows_.shock_x[last].data(), shock_x,
-                fluxes(rows_.flux_y[now]), rows_.rate_y[now].data(), first, end, options_.gamma);
+        const auto solve_y = any(shock_x[now]) || any(shock_x[last]) ? solve<true> : solve<false>;
+        solve_y(states(rows_.north[last], first), states(rows_.south, first), &shock_x[last][first],
+                &shock_x[now][first], fluxes(rows_.flux_y[now]), &rows_.rate_y[now][first], grid_.nx,
+                options_.gamma);
     }
 }
 

@@ -23,11 +23,11 @@ class WoodwardColella {
         double x, rho, v, p;
     };
 
-    /// The stored reference, computed with 51200 cells; 1030 of their centres are nodes. L1 of the difference
-    /// to 25600 cells over L1, measured: rho 2.1e-4, v 1.9e-4, p 8.9e-5, half of what it is from 12800 to
-    /// 25600 cells, so that the reference is as far from the truth again. The lines between the nodes add rho
-    /// 7e-5, v 1.1e-4, p 4e-5. Beside the contact at x = 0.7648 the density of two cells, 5e-6 wide,
-    /// overshoots by 0.2 to 1.1; the highest elsewhere is 6.47, at 0.779.
+    /// The stored reference: 1029 nodes of 51200 cells. L1 of the difference to 25600 cells over L1,
+    /// measured: rho 2.1e-4, v 1.9e-4, p 8.9e-5, half of what it is from 12800 to 25600 cells, so that the
+    /// reference is as far from the truth again. The lines between the nodes add rho 7e-5, v 1.1e-4, p 5e-5.
+    /// Beside the contact at x = 0.7648 three cells, 9e-6 wide together, overshoot the density of 6.3 by up
+    /// to 1.2; the highest elsewhere is 6.47, at 0.779.
     WoodwardColella();
     /// The same computed now, with `cells` of equal mass in 10..1,000,000; every centre is a node. `pause` is
     /// called a hundred times on the way and may throw. Throws std::domain_error, which names the value,

@@ -37,7 +37,7 @@ TEST_CASE("a tube leaves a profile, a figure and results, the same for one and t
     }
 }
 
-TEST_CASE("--method list names the methods, the recommended one marked") {
+TEST_CASE("the list of methods marks the recommended one") {
     const Folder folder;
     const Outcome outcome = run("--scene tube --method list --out " + folder.path.string());
     REQUIRE(outcome.status == 0);
