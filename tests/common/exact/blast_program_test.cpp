@@ -7,20 +7,11 @@
 #include "common/exact/sedov.hpp"
 #include "tests/common/exact/exact_program.hpp"
 
-using exact_program::errors_of;
+using exact_program::check_refused;
+using exact_program::constant;
 using exact_program::lines;
 using exact_program::numbers;
 using exact_program::run;
-
-namespace {
-
-/// The value of a line "# name=value".
-double constant(const std::string& line, const std::string& name) {
-    CHECK_THAT(line, Catch::StartsWith("# " + name + "="));
-    return numbers(line.substr(line.find('=') + 1)).front();
-}
-
-}  // namespace
 
 // Every digit of the doubles. Fails if an option does not reach the solution, for exchanged columns, and for
 // other defaults.
@@ -78,12 +69,7 @@ TEST_CASE("exact sedov: header and states") {
 
 // Fails for every check that is left out.
 TEST_CASE("exact noh, sedov: bad usage is one line that names the mistake, status 2") {
-    struct Case {
-        const char* words;
-        const char* named;
-        const char* also;
-    };
-    const Case cases[] = {
+    check_refused({
         {"noh", "--x", "--points"},
         {"noh --x 0 --dimension 4", "--dimension", "1..3"},
         {"noh --x 0 --dimension 1.5", "--dimension", "1.5"},
@@ -107,14 +93,5 @@ TEST_CASE("exact noh, sedov: bad usage is one line that names the mistake, statu
         {"sedov --r -1", "--r", "-1"},
         {"sedov --r 1,0.01 --gamma 1.01", "--r: 0.01", "farther"},
         {"sedov --points 3 --window 0.01,1 --gamma 1.01", "--window: 0.01", "farther"},
-    };
-    for (const auto& [words, named, also] : cases) {
-        CAPTURE(words);
-        const auto errors = errors_of(words);
-        CHECK(errors.status == 2);
-        CHECK(lines(errors.text).size() == 1);
-        CHECK_THAT(errors.text,
-                   Catch::StartsWith("error: ") && Catch::Contains(named) && Catch::Contains(also));
-        CHECK(run(words).text.empty());
-    }
+    });
 }

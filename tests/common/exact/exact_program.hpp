@@ -1,6 +1,7 @@
 #pragma once
 #include <sys/wait.h>
 
+#include <catch2/catch.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
@@ -52,6 +53,30 @@ inline std::vector<double> numbers(const std::string& line) {
         if (*end == '\0') return values;
         if (*end != ',') throw std::runtime_error{"no row of numbers: " + line};
         place = end + 1;
+    }
+}
+
+/// The value of a line "# name=value".
+inline double constant(const std::string& line, const std::string& name) {
+    CHECK_THAT(line, Catch::StartsWith("# " + name + "="));
+    return numbers(line.substr(line.find('=') + 1)).front();
+}
+
+/// Words that must be refused: status 2, one line that contains both texts, and nothing on standard output.
+struct BadUsage {
+    const char* words;
+    const char* named;
+    const char* also;
+};
+inline void check_refused(const std::vector<BadUsage>& cases) {
+    for (const auto& [words, named, also] : cases) {
+        CAPTURE(words);
+        const Run errors = errors_of(words);
+        CHECK(errors.status == 2);
+        CHECK(lines(errors.text).size() == 1);
+        CHECK_THAT(errors.text,
+                   Catch::StartsWith("error: ") && Catch::Contains(named) && Catch::Contains(also));
+        CHECK(run(words).text.empty());
     }
 }
 

@@ -8,7 +8,7 @@
 #include "common/exact/toy_star_modes.hpp"
 #include "tests/common/exact/exact_program.hpp"
 
-using exact_program::errors_of;
+using exact_program::check_refused;
 using exact_program::lines;
 using exact_program::numbers;
 using exact_program::run;
@@ -78,12 +78,7 @@ TEST_CASE("exact rarefaction: header and states") {
 
 // Fails for every check that is left out.
 TEST_CASE("exact toy-star, rarefaction: bad usage is one line that names the mistake, status 2") {
-    struct Case {
-        const char* words;
-        const char* named;
-        const char* also;
-    };
-    const Case cases[] = {
+    check_refused({
         {"toy-star", "--modes", "--time"},
         {"toy-star --gamma 2", "--modes", "--time"},
         {"toy-star --modes 3 --time 1", "--modes", "--time"},
@@ -117,14 +112,5 @@ TEST_CASE("exact toy-star, rarefaction: bad usage is one line that names the mis
         {"rarefaction --x 0 --gamma 1", "--gamma", "100"},
         {"rarefaction --x 0 --half-width -1", "--half-width", "-1"},
         {"rarefaction --x nan", "--x", "nan"},
-    };
-    for (const auto& [words, named, also] : cases) {
-        CAPTURE(words);
-        const auto errors = errors_of(words);
-        CHECK(errors.status == 2);
-        CHECK(lines(errors.text).size() == 1);
-        CHECK_THAT(errors.text,
-                   Catch::StartsWith("error: ") && Catch::Contains(named) && Catch::Contains(also));
-        CHECK(run(words).text.empty());
-    }
+    });
 }

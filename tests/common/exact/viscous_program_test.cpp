@@ -7,20 +7,11 @@
 #include "common/exact/taylor_green.hpp"
 #include "tests/common/exact/exact_program.hpp"
 
-using exact_program::errors_of;
+using exact_program::check_refused;
+using exact_program::constant;
 using exact_program::lines;
 using exact_program::numbers;
 using exact_program::run;
-
-namespace {
-
-/// The value of a line "# name=value".
-double constant(const std::string& line, const std::string& name) {
-    CHECK_THAT(line, Catch::StartsWith("# " + name + "="));
-    return numbers(line.substr(line.find('=') + 1)).front();
-}
-
-}  // namespace
 
 // Every digit of the doubles. Fails if an option does not reach the solution, for exchanged columns, for
 // other defaults, and for a grid that counts the period's end twice.
@@ -62,12 +53,7 @@ TEST_CASE("exact shear-wave: header and values") {
 
 // Fails for every check that is left out.
 TEST_CASE("exact taylor-green, shear-wave: bad usage is one line that names the mistake, status 2") {
-    struct Case {
-        const char* words;
-        const char* named;
-        const char* also;
-    };
-    const Case cases[] = {
+    check_refused({
         {"taylor-green --viscosity -1", "--viscosity", "-1"},
         {"taylor-green --speed 0", "--speed", "0"},
         {"taylor-green --side nan", "--side", "nan"},
@@ -84,14 +70,5 @@ TEST_CASE("exact taylor-green, shear-wave: bad usage is one line that names the 
         {"shear-wave --x 0 --mode 1.5", "--mode", "1.5"},
         {"shear-wave --x 0 --time -1", "--time", "-1"},
         {"shear-wave --x inf", "--x", "inf"},
-    };
-    for (const auto& [words, named, also] : cases) {
-        CAPTURE(words);
-        const auto errors = errors_of(words);
-        CHECK(errors.status == 2);
-        CHECK(lines(errors.text).size() == 1);
-        CHECK_THAT(errors.text,
-                   Catch::StartsWith("error: ") && Catch::Contains(named) && Catch::Contains(also));
-        CHECK(run(words).text.empty());
-    }
+    });
 }
