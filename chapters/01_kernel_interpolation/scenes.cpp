@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdio>
 
 #include "chapters/01_kernel_interpolation/kernels.hpp"
 #include "chapters/01_kernel_interpolation/measured.hpp"
@@ -11,17 +10,6 @@
 namespace sph {
 namespace {
 
-std::string csv_row(const std::vector<double>& values) {
-    std::string row;
-    for (const double v : values) {
-        std::array<char, 32> text{};
-        const int length = std::snprintf(text.data(), text.size(), "%.17g", v);
-        if (!row.empty()) row += ',';
-        row.append(text.data(), static_cast<std::size_t>(length));
-    }
-    return row + '\n';
-}
-
 /// One row a particle: position, interpolated and exact value, gradient along x and Laplacian.
 template <int d>
 std::string profile(const Estimates<d>& e) {
@@ -32,7 +20,7 @@ std::string profile(const Estimates<d>& e) {
         std::vector<double> row(x.begin(), x.end());
         row.insert(row.end(), {e.value[i], e.gradient[i][0], e.laplacian[i], TestFunction<d>::value(x),
                                TestFunction<d>::gradient(x)[0], TestFunction<d>::laplacian(x)});
-        csv += csv_row(row);
+        csv += report::csv_row(row);
     }
     return csv;
 }
@@ -72,7 +60,8 @@ void tabulate_in(report::Run& run, const Options& options) {
         using K = decltype(kernel);
         std::string csv = "q,W,dW_dr,d2W_dr2,F,dW_dh\n";
         for (const double q : linear_space(0, K::support, 201)) {
-            csv += csv_row({q, K::W(q, 1), K::dW_dr(q, 1), K::d2W_dr2(q, 1), K::F(q, 1), K::dW_dh(q, 1)});
+            csv += report::csv_row(
+                {q, K::W(q, 1), K::dW_dr(q, 1), K::d2W_dr2(q, 1), K::F(q, 1), K::dW_dh(q, 1)});
         }
         run.print(csv);
     });

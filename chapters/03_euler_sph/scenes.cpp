@@ -1,4 +1,3 @@
-#include <cstdio>
 
 #include "chapters/03_euler_sph/dispersion.hpp"
 #include "chapters/03_euler_sph/rarefaction_scene.hpp"
@@ -10,16 +9,6 @@
 /// Scenes of the reader's own: `run 03 --scene NAME` with the chapter's options.
 namespace sph::euler {
 namespace {
-
-std::string csv_row(const std::vector<double>& values) {
-    std::string row;
-    for (const double value : values) {
-        std::array<char, 32> text{};
-        std::snprintf(text.data(), text.size(), "%.17g", value);
-        row += (row.empty() ? "" : ",") + std::string{text.data()};
-    }
-    return row + "\n";
-}
 
 GasScheme scheme_of(const Options& options) {
     if (std::find(dynamic_kernel_names().begin(), dynamic_kernel_names().end(), options.kernel) ==
@@ -68,7 +57,7 @@ void dispersion_scene(report::Run& run, const Options& options) {
     with_kernel<1>(options.kernel, [&](const auto& kernel) {
         for (const double k : options.k_dx) {
             const auto d = dispersion<std::decay_t<decltype(kernel)>>(options.h_over_dx, options.gamma, k);
-            csv += csv_row({k, d.fixed_h, d.variable_h});
+            csv += report::csv_row({k, d.fixed_h, d.variable_h});
         }
     });
     run.print(csv);
@@ -86,7 +75,7 @@ void wave_scene(report::Run& run, const Options& options) {
     run.result(options.resolution, options.particles, "steps", static_cast<double>(wave.counters.steps));
     run.result(options.resolution, options.particles, "pairs", static_cast<double>(wave.counters.pairs));
     std::string csv = "x,v,exact_v\n";
-    for (std::size_t i = 0; i < scene.n; ++i) csv += csv_row({wave.x[i], wave.v[i], wave.exact[i]});
+    for (std::size_t i = 0; i < scene.n; ++i) csv += report::csv_row({wave.x[i], wave.v[i], wave.exact[i]});
     run.write("profile.csv", csv);
     draw(run, "wave", "$v$", wave.x, wave.v, wave.exact);
 }
@@ -114,7 +103,7 @@ void star_scene(report::Run& run, const Options& options) {
     run.result(options.resolution, options.particles, "pairs", static_cast<double>(star.counters.pairs));
     std::string csv = "x,rho,v,exact_rho,exact_v\n";
     for (std::size_t i = 0; i < scene.n; ++i)
-        csv += csv_row({star.x[i], star.rho[i], star.v[i], star.exact_rho[i], star.exact_v[i]});
+        csv += report::csv_row({star.x[i], star.rho[i], star.v[i], star.exact_rho[i], star.exact_v[i]});
     run.write("profile.csv", csv);
     draw(run, "star", "ρ", star.x, star.rho, star.exact_rho);
 }
@@ -134,7 +123,7 @@ void rarefaction_scene(report::Run& run, const Options& options) {
     run.result(options.resolution, options.particles, "momentum_drift", gas.momentum);
     std::string csv = "x,v,rho,exact_v,exact_rho\n";
     for (std::size_t i = 0; i < scene.n; ++i)
-        csv += csv_row({gas.x[i], gas.v[i], gas.rho[i], gas.exact_v[i], gas.exact_rho[i]});
+        csv += report::csv_row({gas.x[i], gas.v[i], gas.rho[i], gas.exact_v[i], gas.exact_rho[i]});
     run.write("profile.csv", csv);
     draw(run, "rarefaction", "$v$", gas.x, gas.v, gas.exact_v);
 }

@@ -1,6 +1,8 @@
 #include "common/report/text.hpp"
 
 #include <fmt/format.h>
+#include <array>
+#include <cstdio>
 
 #include <algorithm>
 #include <cmath>
@@ -80,6 +82,17 @@ std::string fixed(double value, int decimals) {
     std::string text = fmt::format("{:.{}f}", value, decimals);
     const bool zero = text.find_first_of("123456789") == std::string::npos;
     return zero && text.front() == '-' ? text.substr(1) : text;
+}
+
+std::string csv_row(const std::vector<double>& values) {
+    std::string row;
+    for (const double value : values) {
+        std::array<char, 32> text{};
+        const int length = std::snprintf(text.data(), text.size(), "%.17g", value);
+        if (!row.empty()) row += ',';
+        row.append(text.data(), static_cast<std::size_t>(length));
+    }
+    return row + '\n';
 }
 
 std::string timing(double value, int digits) {

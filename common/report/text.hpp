@@ -16,6 +16,9 @@ std::string fixed(double value, int decimals);
 /// run. From 1 to a million in plain digits: "≈2.4", "≈240", "≈15000".
 std::string timing(double value, int digits = 2);
 
+/// A row of a CSV file, "1,2.5\n": every digit of the doubles.
+std::string csv_row(const std::vector<double>& values);
+
 /// A table, printed as GitHub Markdown; numbers are right-aligned.
 class Table {
   public:
