@@ -32,16 +32,6 @@ struct SignalSpeed {
     }
 };
 
-/// v_u = alpha_u sqrt(|P_i - P_j|/rho): works until the pressure is even, which is what a contact asks for,
-/// and not beyond (Price 2008, J. Comput. Phys. 227, 10040, eq. 18).
-struct PressureJumpSpeed {
-    double alpha_u = 1;
-    using Reads = List<Pressure, Density>;
-    Tile of(const auto& i, const auto& j, const auto&) const {
-        return alpha_u * ((i.p - j.p).abs() / (0.5 * (i.rho + j.rho))).sqrt();
-    }
-};
-
 /// The strength of a particle's conduction.
 struct ConductionAlpha {
     static constexpr std::string_view name = "alpha of conduction";

@@ -42,9 +42,10 @@ struct ReconstructedViscosity {
     }
 };
 
-/// v_u = alpha_u sqrt(|dP|/rho), at most `cap` times the smaller speed of sound; dP = P_i - P_j less what the
-/// common slope of the pressure explains. Works at a contact, whose pressure the sums make uneven, until it
-/// is even; leaves smooth waves alone; and cold gas that a shock has not reached yet conducts nothing.
+/// v_u = alpha_u sqrt(|dP|/rho) (Price 2008, J. Comput. Phys. 227, 10040, eq. 18, with dP = P_i - P_j), at
+/// most `cap` times the smaller speed of sound; here dP is P_i - P_j less what the common slope of the
+/// pressure explains. Works at a contact, whose pressure the sums make uneven, until it is even; leaves
+/// smooth waves alone; and cold gas that a shock has not reached yet conducts nothing.
 struct ContactSpeed {
     double alpha_u = 1, cap = 0.2;
     using Reads = List<Pressure, Density, SoundSpeed, PressureGradient>;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdio>
 
 #include "chapters/04_artificial_viscosity/studies.hpp"
 #include "common/app/error.hpp"
@@ -33,29 +32,20 @@ const Method& chosen(const std::string& name) {
     return tube_method(name);
 }
 
-std::string csv_row(const std::vector<double>& values) {
-    std::string row;
-    for (const double value : values) {
-        std::array<char, 32> text{};
-        std::snprintf(text.data(), text.size(), "%.17g", value);
-        row += (row.empty() ? "" : ",") + std::string{text.data()};
-    }
-    return row + "\n";
-}
-
-void draw(report::Run& run, const TubeRun& tube) {
+void draw(report::Run& run, const TubeScene& scene, const TubeRun& tube) {
+    const Profile line = exact_profile(scene);
     plot::Figure figure{"tube", 2, 2};
     const auto panel = [&](int row, int column, const std::string& label, const Column& value,
                            const Column& exact) {
         plot::Panel& axes = figure.at(row, column).labels("$x$", label);
-        axes.curve(tube.exact.x, exact, exact_line());
+        axes.curve(line.x, exact, exact_line());
         axes.points(tube.profile.x, value,
                     {.label = "SPH", .marker = plot::Marker::circle, .marker_size = 3});
     };
-    panel(0, 0, "ρ", tube.profile.rho, tube.exact.rho);
-    panel(0, 1, "$v$", tube.profile.v, tube.exact.v);
-    panel(1, 0, "$P$", tube.profile.p, tube.exact.p);
-    panel(1, 1, "$u$", tube.profile.u, tube.exact.u);
+    panel(0, 0, "ρ", tube.profile.rho, line.rho);
+    panel(0, 1, "$v$", tube.profile.v, line.v);
+    panel(1, 0, "$P$", tube.profile.p, line.p);
+    panel(1, 1, "$u$", tube.profile.u, line.u);
     run.save(figure);
 }
 
@@ -70,7 +60,8 @@ void Options::declare(app::CommandLine& line) {
         .integer("particles", particles, 10, 1000000, "of equal mass in |x| < 0.5 at the start")
         .number("jitter", jitter, {0, 0.49}, "spacings", "largest random shift of each particle")
         .number("courant", courant, {0.001, 0.6}, "", "step over the shortest time between neighbours")
-        .text("method", method, "NAME", "of dissipation; 'list' names them; default: the recommended one");
+        .text("method", method, "NAME", "of dissipation; 'list' names them; default: the recommended one")
+        .flag("all-runs", all_runs, "survival: both sizes and all disorders for every method; a minute");
 }
 
 void tube_scene(report::Run& run, const Options& options) {
@@ -113,11 +104,11 @@ void tube_scene(report::Run& run, const Options& options) {
     run.result(method.name, options.particles, "cpu_seconds", tube.seconds, "s");
     std::string csv = "x,rho,v,p,u,exact_rho,exact_v,exact_p,exact_u\n";
     for (std::size_t i = 0; i < tube.profile.x.size(); ++i)
-        csv += csv_row({tube.profile.x[i], tube.profile.rho[i], tube.profile.v[i], tube.profile.p[i],
-                        tube.profile.u[i], tube.exact.rho[i], tube.exact.v[i], tube.exact.p[i],
-                        tube.exact.u[i]});
+        csv += report::csv_row({tube.profile.x[i], tube.profile.rho[i], tube.profile.v[i], tube.profile.p[i],
+                                tube.profile.u[i], tube.exact.rho[i], tube.exact.v[i], tube.exact.p[i],
+                                tube.exact.u[i]});
     run.write("profile.csv", csv);
-    draw(run, tube);
+    draw(run, scene, tube);
 }
 
 }  // namespace sph::shocks

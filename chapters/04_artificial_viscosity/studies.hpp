@@ -14,6 +14,7 @@ struct Options {
     double gamma = 1.4, time = 0.2, jitter = 0, courant = 0.45;
     long particles = 720;
     std::string method;
+    bool all_runs = false;
     void declare(app::CommandLine& line);
 };
 
@@ -24,11 +25,12 @@ void colliding(report::Run& run);  // study_colliding.cpp
 void expansion(report::Run& run);
 void woodward_colella(report::Run& run);  // study_woodward_colella.cpp
 void kernels(report::Run& run);           // study_kernels.cpp
-void wave(report::Run& run);              // study_wave.cpp
-void survival(report::Run& run);          // study_survival.cpp
-void cost(report::Run& run);              // study_cost.cpp
-void cost_of_effects(report::Run& run);   // study_effects.cpp
-void noh_plane(report::Run& run);         // study_plane_shocks.cpp
+void viscous_pressures(report::Run& run);
+void wave(report::Run& run);                     // study_wave.cpp
+void survival(report::Run& run, bool all_runs);  // study_survival.cpp
+void cost(report::Run& run);                     // study_cost.cpp
+void cost_of_effects(report::Run& run);          // study_effects.cpp
+void noh_plane(report::Run& run);                // study_plane_shocks.cpp
 void sedov(report::Run& run);
 void shear_layer(report::Run& run);                         // study_shear.cpp
 void viscous(report::Run& run);                             // study_viscous.cpp

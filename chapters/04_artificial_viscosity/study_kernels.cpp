@@ -1,6 +1,37 @@
+#include <algorithm>
+#include <cmath>
+
 #include "chapters/04_artificial_viscosity/studies.hpp"
 
 namespace sph::shocks {
+
+void viscous_pressures(report::Run& run) {
+    TubeScene scene;
+    scene.n = run.quick() ? 90 : 360;
+    scene.threads = run.threads();
+    plot::Figure figure{"viscous-pressures", 1, 3};
+    figure.panel_width = 300;
+    const Profile exact = exact_profile(scene, 0, 0.45);
+    int column = 0;
+    for (const std::string name : {"von-neumann", "bulk", "monaghan-gingold"}) {
+        const Method& method = tube_method(name);
+        plot::Panel& v = figure.at(0, column++).titled(method.label).labels("$x$", "$v$");
+        v.x_range(0, 0.45).y_range(-0.1, 1.2);
+        const TubeRun tube = run_tube(scene, method);
+        v.curve(exact.x, exact.v, exact_line());
+        v.points(tube.profile.x, tube.profile.v, dots(style_of(name)));
+        v.legend.shown = false;
+        double worst = 0;  // between the contact and the shock, half a shock's width away from both
+        for (std::size_t i = 0; i < tube.profile.x.size(); ++i) {
+            const double x = tube.profile.x[i];
+            if (x > 0.2 && x < 0.32)
+                worst = std::max(worst, std::abs(tube.profile.v[i] / tube.exact.v[i] - 1));
+        }
+        run.result(name, static_cast<long>(scene.n), "velocity_noise", worst);
+        run.fill("noise-" + name, report::number(100 * worst, 1));
+    }
+    run.save(figure);
+}
 
 void kernels(report::Run& run) {
     TubeScene scene;
@@ -14,14 +45,11 @@ void kernels(report::Run& run) {
     methods.push_back(tube_method("monaghan-gingold"));
     methods.back().label = "cubic spline";
     std::size_t colour = 0;
-    bool first = true;
+    const Profile exact = exact_profile(scene, 0.1, 0.4);
+    rho.curve(exact.x, exact.rho, exact_line());
+    v.curve(exact.x, exact.v, exact_line());
     for (const Method& method : methods) {
         const TubeRun tube = run_tube(scene, method);
-        if (first) {
-            rho.curve(tube.exact.x, tube.exact.rho, exact_line());
-            v.curve(tube.exact.x, tube.exact.v, exact_line());
-            first = false;
-        }
         static constexpr std::array markers{plot::Marker::circle, plot::Marker::cross, plot::Marker::square};
         const plot::Style style = dots({.label = method.label,
                                         .colour = plot::cycle(colour),

@@ -40,10 +40,10 @@ struct Study {
 
 void draw(report::Run& run, const Study& study, const std::vector<std::pair<std::string, TubeRun>>& tubes) {
     plot::Figure figure{study.name, 2, 2};
+    const Profile exact = exact_profile(study.scene, study.low, study.high);
     const auto panel = [&](int row, int column, const std::string& label, Column Profile::*quantity) {
         plot::Panel& axes = figure.at(row, column).labels("$x$", label).x_range(study.low, study.high);
-        const TubeRun& first = tubes.back().second;
-        axes.curve(first.exact.x, first.exact.*quantity, exact_line());
+        axes.curve(exact.x, exact.*quantity, exact_line());
         for (const auto& [method, tube] : tubes) {
             if (std::find(study.drawn.begin(), study.drawn.end(), method) == study.drawn.end()) continue;
             axes.points(tube.profile.x, tube.profile.*quantity, dots(style_of(method)));

@@ -15,12 +15,6 @@ struct NoDetector {
     using Slopes = List<>;
 };
 
-/// Only the gradient itself, for ReconstructedViscosity.
-struct VelocitySlopes {
-    using Columns = List<VelocityGradient>;
-    using Slopes = List<VelocityGradient>;
-};
-
 /// The gradients for ReconstructedViscosity and ContactSpeed.
 struct FlowSlopes {
     using Columns = List<VelocityGradient, PressureGradient>;

@@ -134,6 +134,17 @@ TubeRun run_tube(const TubeScene& scene, const Method& method) {
     return run;
 }
 
+Profile exact_profile(const TubeScene& scene, double low, double high) {
+    constexpr int points = 1001;
+    const exact::Riemann solution{scene.left, scene.right, scene.gamma};
+    Profile profile;
+    for (int k = 0; k < points; ++k) {
+        const double x = low + (high - low) * k / (points - 1);
+        append(profile, x, solution.at(x, scene.time));
+    }
+    return profile;
+}
+
 std::array<double, 2> tube_ends(const TubeScene& scene) {
     const double p_star = exact::Riemann{scene.left, scene.right, scene.gamma}.star().p;
     return {-reach(scene, scene.left, -1, p_star), reach(scene, scene.right, 1, p_star)};

@@ -46,6 +46,9 @@ std::array<double, 2> tube_ends(const TubeScene& scene);
 /// Fills the errors, overshoot and wiggle of run.profile against the exact solution beside it, for |x| < 0.5;
 /// `dx` are the widths of its points.
 void compare(TubeRun& run, const Column& dx, const exact::Riemann& solution, double time);
+/// The exact solution at the end of the scene on 1001 even points in [low, high], for figures: a line through
+/// the particles' own places would cut the corners.
+Profile exact_profile(const TubeScene& scene, double low = -0.5, double high = 0.5);
 /// A number in [-1, 1), the same on every machine (which the distributions of the library are not).
 inline double random_shift(std::mt19937_64& random) {
     return 2 * (static_cast<double>(random() >> 11) * 0x1p-53) - 1;

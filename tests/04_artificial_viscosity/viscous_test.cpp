@@ -1,5 +1,6 @@
 // Real viscosity: the rate at which shear and compression decay, and what it conserves.
 #include <catch2/catch.hpp>
+#include <random>
 
 #include "chapters/01_kernel_interpolation/splines.hpp"
 #include "chapters/01_kernel_interpolation/wendland.hpp"
@@ -79,6 +80,33 @@ TEST_CASE("pairwise viscosity: 16 is right for many neighbours, and Cleary's 19.
     // Compression: 4/3 nu and a bulk viscosity of 5/3 nu make 3.
     CHECK(pairwise_viscosity<Wendland>(64, 2.6, 1, {1}) == Approx(3).epsilon(0.005));  // measured 3.009
     CHECK(pairwise_viscosity<Cubic>(64, 1.2, 1, {1}) > 3.1);                           // measured 3.164
+}
+
+TEST_CASE("the pairwise form conserves angular momentum, the stress form does not") {
+    Points p{200};
+    std::mt19937_64 random{1};
+    const auto number = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        p.m[i] = 1, p.rho[i] = 1 + number(), p.h[i] = 0.1 + 0.05 * number();
+        for (std::size_t a = 0; a < 2; ++a) p.x[a][i] = number(), p.v_mid[a][i] = number();
+    }
+    Neighbours<2, Free> neighbours;
+    neighbours.find(p.x, CubicSpline<2>::support * 0.15);
+    const auto torque = [&] {
+        double sum = 0, size = 0;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            sum += p.x[0][i] * p.dv_dt[1][i] - p.x[1][i] * p.dv_dt[0][i];
+            size += std::abs(p.x[0][i] * p.dv_dt[1][i]);
+        }
+        return std::abs(sum) / size;
+    };
+    const BothH<CubicSpline<2>> smoothing;
+    sum_over_neighbours(p, neighbours, smoothing, Effects{ViscousForce<PairwiseViscosity>{{1}}});
+    CHECK(torque() < 1e-14);
+    sum_over_neighbours(p, neighbours, smoothing, Effects{VelocityGradient{}});
+    StressDetector{1}.measure(p);
+    sum_over_neighbours(p, neighbours, smoothing, Effects{ViscousForce<StressViscosity>{{1}}});
+    CHECK(torque() > 1e-4);
 }
 
 TEST_CASE("viscosity by the stress tensor: second order, 4/3 nu in compression") {
