@@ -6,6 +6,7 @@
 
 #include "common/core/boundary.hpp"
 #include "common/core/counters.hpp"
+#include "common/core/unstable.hpp"
 
 /// A dissipative gas without its types: what scenes need of it, so that each scene is written once and each
 /// method is compiled once. One virtual call a step, none a particle.
@@ -48,6 +49,13 @@ class Model {
     virtual Vector<d> momentum() const = 0;
     virtual Counters& counters() = 0;
 };
+
+/// Ends a run that has done `most` steps and is not at its end: throws Unstable at time t.
+template <int d>
+void require_fewer_steps(Model<d>& gas, long most, double t) {
+    if (gas.counters().steps >= most)
+        throw Unstable{t, Unstable::no_particle, "the number of steps", static_cast<double>(most)};
+}
 
 /// The methods in one dimension, from the oldest to the best; the last is the recommended one.
 const std::vector<Method>& tube_methods();

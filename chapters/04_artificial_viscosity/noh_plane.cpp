@@ -72,11 +72,8 @@ NohRun run_noh(const NohScene& scene, const Method& method) {
     gas->resolve(0);
     const double energy = gas->energy();
     double t = 0, mass = 0;
-    gas->advance(t, scene.time, scene.courant, [&](double now) {
-        if (gas->counters().steps > scene.most_steps)
-            throw Unstable{now, Unstable::no_particle, "the number of steps",
-                           static_cast<double>(scene.most_steps)};
-    });
+    gas->advance(t, scene.time, scene.courant,
+                 [&](double now) { require_fewer_steps(*gas, scene.most_steps, now); });
     NohRun run;
     run.seconds = report::thread_cpu_seconds() - begin;
     run.x = gas->x(), run.v = gas->v();

@@ -87,11 +87,8 @@ SedovRun run_sedov(const SedovScene& scene, const Method& method) {
     SedovRun run;
     run.time = end_time(scene);
     double t = 0, size = 0;
-    gas->advance(t, run.time, scene.courant, [&](double now) {
-        if (gas->counters().steps > scene.most_steps)
-            throw Unstable{now, Unstable::no_particle, "the number of steps",
-                           static_cast<double>(scene.most_steps)};
-    });
+    gas->advance(t, run.time, scene.courant,
+                 [&](double now) { require_fewer_steps(*gas, scene.most_steps, now); });
     run.seconds = report::thread_cpu_seconds() - begin;
     run.x = gas->x(), run.m = gas->m(), run.rho = gas->rho(), run.p = gas->p();
     run.r = radii(run.x), run.v_r = radial(run.x, gas->v());

@@ -119,8 +119,7 @@ TubeRun run_tube(const TubeScene& scene, const Method& method) {
     const double begin = report::thread_cpu_seconds();
     gas->advance(t, scene.time, scene.courant, [&](double now) {
         require_order(gas->x()[0], gas->moving(), now);
-        if (gas->counters().steps >= scene.most_steps)
-            throw Unstable{now, Unstable::no_particle, "the number of steps", double(scene.most_steps)};
+        require_fewer_steps(*gas, scene.most_steps, now);
     });
     TubeRun run;
     run.seconds = report::thread_cpu_seconds() - begin;
