@@ -1,8 +1,8 @@
 #include "common/exact/riemann.hpp"
 
-#include "common/app/error.hpp"
 #include "common/exact/program/csv.hpp"
 #include "common/exact/program/points.hpp"
+#include "common/exact/program/sides.hpp"
 #include "common/exact/program/solutions.hpp"
 
 namespace exact::program {
@@ -16,9 +16,7 @@ class RiemannSolution : public Solution {
     }
 
     void declare(app::CommandLine& command) override {
-        const app::Range scale{-Riemann::largest_scale, Riemann::largest_scale};
-        command.numbers("left", left_, scale, "", "density, velocity and pressure at x < 0", 3);
-        command.numbers("right", right_, scale, "", "density, velocity and pressure at x > 0", 3);
+        sides_.declare(command);
         command.number("gamma", gamma_, {1, Riemann::largest_gamma, true}, "", "adiabatic index");
         command.number("time", time_, app::non_negative, "time", "0: the initial states");
         points_.declare(command, "positions");
@@ -29,7 +27,8 @@ class RiemannSolution : public Solution {
 
     std::string csv(const app::CommandLine& command) const override {
         const auto points = points_.values(command);
-        const Riemann solution{state("left", left_), state("right", right_), gamma_};
+        sides_.check();
+        const Riemann solution{sides_.left<Riemann::State>(), sides_.right<Riemann::State>(), gamma_};
         const Riemann::Star& star = solution.star();
         Csv csv;
         csv.parameter("gamma", gamma_).parameter("time", time_);
@@ -44,20 +43,7 @@ class RiemannSolution : public Solution {
     }
 
   private:
-    Riemann::State state(const std::string& side, const std::vector<double>& values) const {
-        const Riemann::State state{values[0], values[1], values[2]};
-        if (state.rho < 0 || state.p < 0)
-            throw app::UsageError{"--" + side +
-                                  ": density and pressure below 0 are not allowed; allowed: 0 and above"};
-        if (state.rho == 0 && state.p > 0)
-            throw app::UsageError{"--" + side +
-                                  ": pressure in a vacuum is not allowed; allowed: 0 where the density is 0"};
-        if (left_[0] == 0 && right_[0] == 0)
-            throw app::UsageError{"--" + side + ": vacuum on both sides is not allowed; allowed: on one"};
-        return state;
-    }
-
-    std::vector<double> left_{1, 0, 1}, right_{0.125, 0, 0.1};
+    Sides sides_{{1, 0, 1}, {0.125, 0, 0.1}, {Riemann::largest_scale}};
     double gamma_ = 1.4, time_ = 0.2;
     Points points_{"x", app::any, {-0.5, 0.5}};
 };

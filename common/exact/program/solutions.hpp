@@ -7,8 +7,10 @@
 namespace exact::program {
 
 std::unique_ptr<Solution> burgers();
+std::unique_ptr<Solution> landau();
 std::unique_ptr<Solution> noh();
 std::unique_ptr<Solution> rarefaction();
+std::unique_ptr<Solution> relativistic_riemann();
 std::unique_ptr<Solution> riemann();
 std::unique_ptr<Solution> sedov();
 std::unique_ptr<Solution> shear_wave();
