@@ -60,7 +60,7 @@ TubeRun run_grid_tube(const TubeScene& scene, exact::Frame frame) {
     exact::FiniteVolume grid{cells, {.gamma = scene.gamma, .frame = frame}};
     Column width;
     TubeRun run = advance(grid, scene.time, scene.gamma, width);
-    compare(run, width, exact::Riemann{scene.left, scene.right, scene.gamma}, scene.time);
+    compare(run, width, exact_tube(exact::Riemann{scene.left, scene.right, scene.gamma}, scene.time));
     return run;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "chapters/04_artificial_viscosity/tube_lattice.hpp"
 #include "common/core/unstable.hpp"
 #include "common/report/norms.hpp"
 #include "common/report/timer.hpp"
@@ -30,43 +31,18 @@ double reach(const TubeScene& scene, const State& state, double side, double p_s
     return std::max({0.5, 0.5 - run, scene.time * wave_speed(state, p_star, scene.gamma)});
 }
 
-struct Placed {
-    double x;
-    const State* state;
-};
-
-/// The particles of one side from the middle outwards. `fixed` of them lie beyond what waves reach.
-std::vector<Placed> place(const State& state, double side, double length, double dx, std::size_t fixed) {
-    if (state.rho == 0) return {};
-    const double wanted = length / dx + 10;
-    if (!(wanted < 1e7)) throw std::invalid_argument{"more than ten million particles on one side"};
-    std::vector<Placed> result;
-    const auto n = static_cast<std::size_t>(wanted) + fixed;
-    for (std::size_t k = 0; k < n; ++k)
-        result.push_back({side * (static_cast<double>(k) + 0.5) * dx, &state});
-    return result;
-}
-
 std::unique_ptr<Model<1>> make_tube(const TubeScene& scene, const Method& method) {
-    constexpr std::size_t fixed = 12;  // more than two supports
-    const double m = 0.5 * (scene.left.rho + scene.right.rho) / static_cast<double>(scene.n);
-    const auto [begin, end] = tube_ends(scene);
-    const auto left = place(scene.left, -1, -begin, m / scene.left.rho, fixed);
-    const auto right = place(scene.right, 1, end, m / scene.right.rho, fixed);
-    std::vector<Placed> inner, ends;
-    for (std::size_t k = left.size(); k-- > 0;) (k + fixed < left.size() ? inner : ends).push_back(left[k]);
-    for (std::size_t k = 0; k < right.size(); ++k)
-        (k + fixed < right.size() ? inner : ends).push_back(right[k]);
-    std::mt19937_64 random{scene.seed};
-    for (Placed& placed : inner) placed.x += scene.jitter * random_shift(random) * m / placed.state->rho;
-    const std::size_t moving = inner.size();
-    inner.insert(inner.end(), ends.begin(), ends.end());
-    auto gas = make_model(method, inner.size(), scene.gamma, Box<1>{{-1}, {1}, Face::free}, scene.threads);
-    for (std::size_t i = 0; i < inner.size(); ++i) {
-        const State& state = *inner[i].state;
-        gas->set(i, {inner[i].x}, {state.v}, m, state.rho, state.p / (state.rho * (scene.gamma - 1)));
+    const std::array sides{scene.left, scene.right};
+    const TubeLattice lattice =
+        lay_tube({scene.left.rho, scene.right.rho}, tube_ends(scene), scene.n, scene.jitter, scene.seed);
+    auto gas =
+        make_model(method, lattice.x.size(), scene.gamma, Box<1>{{-1}, {1}, Face::free}, scene.threads);
+    for (std::size_t i = 0; i < lattice.x.size(); ++i) {
+        const State& state = sides[lattice.side[i]];
+        gas->set(i, {lattice.x[i]}, {state.v}, lattice.m, state.rho,
+                 state.p / (state.rho * (scene.gamma - 1)));
     }
-    gas->fix_from(moving);
+    gas->fix_from(lattice.moving);
     return gas;
 }
 
@@ -129,17 +105,21 @@ TubeRun run_tube(const TubeScene& scene, const Method& method) {
     const auto moving = static_cast<std::ptrdiff_t>(gas->moving());
     const auto part = [moving](const Column& c) { return Column(c.begin(), c.begin() + moving); };
     run.profile = {part(gas->x()[0]), part(gas->rho()), part(gas->v()[0]), part(gas->p()), part(gas->u())};
-    compare(run, spacings(run.profile.x), solution, scene.time);
+    compare(run, spacings(run.profile.x), exact_tube(solution, scene.time));
     return run;
 }
 
 Profile exact_profile(const TubeScene& scene, double low, double high) {
+    return exact_profile(exact_tube(exact::Riemann{scene.left, scene.right, scene.gamma}, scene.time), low,
+                         high);
+}
+
+Profile exact_profile(const ExactTube& solution, double low, double high) {
     constexpr int points = 1001;
-    const exact::Riemann solution{scene.left, scene.right, scene.gamma};
     Profile profile;
     for (int k = 0; k < points; ++k) {
         const double x = low + (high - low) * k / (points - 1);
-        append(profile, x, solution.at(x, scene.time));
+        append(profile, x, solution.at(x));
     }
     return profile;
 }
@@ -149,13 +129,13 @@ std::array<double, 2> tube_ends(const TubeScene& scene) {
     return {-reach(scene, scene.left, -1, p_star), reach(scene, scene.right, 1, p_star)};
 }
 
-void compare(TubeRun& run, const Column& all_dx, const exact::Riemann& solution, double time) {
+void compare(TubeRun& run, const Column& all_dx, const ExactTube& solution) {
     const Profile all = std::move(run.profile);
     run.profile = {};
     Column dx;
     for (std::size_t i = 0; i < all.x.size(); ++i) {
         if (!(std::abs(all.x[i]) < 0.5)) continue;
-        const auto exact = solution.at(all.x[i], time);
+        const auto exact = solution.at(all.x[i]);
         dx.push_back(all_dx[i]);
         append(run.profile, all.x[i], {all.rho[i], all.v[i], all.p[i], all.u[i]});
         append(run.exact, all.x[i], exact);
@@ -171,12 +151,11 @@ void compare(TubeRun& run, const Column& all_dx, const exact::Riemann& solution,
     run.l1_u = error(run.profile.u, run.exact.u);
     const auto largest = [](const Column& c) { return *std::max_element(c.begin(), c.end()); };
     run.overshoot = std::max(0.0, largest(run.profile.rho) / largest(run.exact.rho) - 1);
-    const auto& star = solution.star();
-    if (star.vacuum) return;
+    if (solution.vacuum) return;
     const auto n = static_cast<std::ptrdiff_t>(all.x.size());
-    const auto contact = std::lower_bound(all.x.begin(), all.x.end(), star.v * time) - all.x.begin();
+    const auto contact = std::lower_bound(all.x.begin(), all.x.end(), solution.contact) - all.x.begin();
     for (auto k = std::max<std::ptrdiff_t>(0, contact - 6); k < std::min(n, contact + 6); ++k)
-        run.wiggle = std::max(run.wiggle, std::abs(all.p[static_cast<std::size_t>(k)] / star.p - 1));
+        run.wiggle = std::max(run.wiggle, std::abs(all.p[static_cast<std::size_t>(k)] / solution.p_star - 1));
 }
 
 }  // namespace sph

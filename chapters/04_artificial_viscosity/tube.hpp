@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <limits>
-#include <random>
 
 #include "chapters/04_artificial_viscosity/model.hpp"
 #include "common/exact/riemann.hpp"
@@ -43,16 +43,29 @@ TubeRun run_tube(const TubeScene& scene, const Method& method);
 /// Where the gas of the two sides begins and ends at t = 0 so that no wave reaches an end and |x| < 0.5 is
 /// filled at the end of the scene; 0 for a vacuum.
 std::array<double, 2> tube_ends(const TubeScene& scene);
+/// The exact solution at the end of a tube, Newtonian or relativistic: what comparisons need of it.
+struct ExactTube {
+    std::function<exact::Riemann::Point(double x)> at;
+    double p_star = 0, contact = 0;  ///< pressure between the waves, and where the contact is
+    bool vacuum = false;             ///< then there is no contact
+};
+template <class Solution>
+ExactTube exact_tube(const Solution& solution, double time) {
+    const auto& star = solution.star();
+    return {[solution, time](double x) {
+                const auto point = solution.at(x, time);
+                return exact::Riemann::Point{point.rho, point.v, point.p, point.u};
+            },
+            star.p, star.v * time, star.vacuum};
+}
 /// Fills the errors, overshoot and wiggle of run.profile against the exact solution beside it, for |x| < 0.5;
 /// `dx` are the widths of its points.
-void compare(TubeRun& run, const Column& dx, const exact::Riemann& solution, double time);
-/// The exact solution at the end of the scene on 1001 even points in [low, high], for figures: a line through
-/// the particles' own places would cut the corners.
+void compare(TubeRun& run, const Column& dx, const ExactTube& solution);
+/// The exact solution on 1001 even points in [low, high], for figures: a line through the particles' own
+/// places would cut the corners.
+Profile exact_profile(const ExactTube& solution, double low = -0.5, double high = 0.5);
+/// The same for a scene's.
 Profile exact_profile(const TubeScene& scene, double low = -0.5, double high = 0.5);
-/// A number in [-1, 1), the same on every machine (which the distributions of the library are not).
-inline double random_shift(std::mt19937_64& random) {
-    return 2 * (static_cast<double>(random() >> 11) * 0x1p-53) - 1;
-}
 /// Throws Unstable at time t unless x[0] < x[1] < ... for the first n particles.
 void require_order(const Column& x, std::size_t n, double t);
 /// dx of each of the ordered particles: half the distance of its neighbours, all of it at an end.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chapters/04_artificial_viscosity/tube_lattice.hpp"
 #include "common/exact/woodward_colella.hpp"
 #include "common/report/norms.hpp"
 #include "common/report/timer.hpp"

@@ -1,0 +1,32 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+#include "common/core/vec.hpp"
+
+/// Where the particles of a tube are at t = 0.
+namespace sph {
+
+/// Particles of equal mass m on both sides of x = 0: first those that move, from left to right, then the
+/// layers beyond both ends, which stand for more of the same gas.
+struct TubeLattice {
+    Column x;
+    std::vector<std::size_t> side;  ///< of each: 0 is left, 1 is right
+    std::size_t moving = 0;
+    double m = 0;
+};
+
+/// `rho` of both sides, 0 for a vacuum on one of them; `ends`, where each begins and ends (< 0 and > 0; 0 for
+/// a vacuum); `n` particles' masses in |x| < 0.5; those that move are shifted at random by up to `jitter`
+/// (below 0.5) of their spacing. Throws std::invalid_argument if that takes more than ten million on a side.
+TubeLattice lay_tube(const std::array<double, 2>& rho, const std::array<double, 2>& ends, std::size_t n,
+                     double jitter, unsigned long seed);
+
+/// A number in [-1, 1), the same on every machine (which the distributions of the library are not).
+inline double random_shift(std::mt19937_64& random) {
+    return 2 * (static_cast<double>(random() >> 11) * 0x1p-53) - 1;
+}
+
+}  // namespace sph
