@@ -1,0 +1,166 @@
+#pragma once
+#include "chapters/04_artificial_viscosity/reconstruction.hpp"
+#include "chapters/08_landau_model/entropic_fluid.hpp"
+
+/// What a relativistic gas of baryons needs to pass shocks, as pair effects: exchanges of momentum and of
+/// energy per baryon that are antisymmetric, so that the totals stand still whatever the time step. With the
+/// baryons nu of a particle as its m and N as its rho. In one dimension.
+namespace sph {
+
+/// E = h lorentz - P/N.
+struct EnergyPerBaryon {
+    static constexpr std::string_view name = "energy per baryon";
+    static constexpr bool positive = true;
+    template <class T, int>
+    struct In {
+        T E{};
+    };
+};
+struct EnergyRate {
+    static constexpr std::string_view name = "rate of energy per baryon";
+    template <class T, int>
+    struct In {
+        T dE_dt{};
+    };
+};
+/// h = 1 + gamma u, at rest.
+struct Enthalpy {
+    static constexpr std::string_view name = "enthalpy per baryon";
+    template <class T, int>
+    struct In {
+        T h_enthalpy{};
+    };
+};
+/// y = artanh v: the velocity that adds.
+struct Rapidity {
+    static constexpr std::string_view name = "rapidity";
+    template <class T, int>
+    struct In {
+        T y{};
+    };
+};
+struct RapiditySlope : SlopeOf<RapiditySlope, Rapidity> {
+    static constexpr std::string_view name = "sum for the gradient of rapidity";
+    template <class T, int d>
+    struct In {
+        Vec<T, d> S_y{};
+    };
+};
+struct RapidityGradient : GradientFrom<RapidityGradient, RapiditySlope> {
+    static constexpr std::string_view name = "gradient of rapidity";
+    template <class T, int d>
+    struct In {
+        Vec<T, d> dy_dx{};
+    };
+};
+
+/// dE_i/dt = - sum_j nu_j (P_i v_j/(Omega_i N_i^2) . grad_i W(h_i) + P_j v_i/(Omega_j N_j^2) . grad_i
+/// W(h_j)): the work of chapter 3's (3.18), with lab-frame densities (Chow & Monaghan 1997).
+struct GradHWork {
+    using Reads = List<Velocity, Density, Pressure, GradH>;
+    using ReadsJ = List<Mass>;
+    using Adds = List<EnergyRate>;
+    void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
+        const double from_i = i.p / (i.Omega * i.rho * i.rho);
+        const Tile from_j = j.p / (j.Omega * j.rho * j.rho);
+        sum.dE_dt -=
+            j.m * (from_i * dot(j.v, pair.x_ij) * F_i(pair) + from_j * dot(i.v, pair.x_ij) * F_j(pair));
+    }
+};
+
+/// The fastest and the slowest signal of a pair in the laboratory: (v +- c_s)/(1 +- v c_s).
+struct LabSignals {
+    Tile fastest, slowest;
+    LabSignals(const auto& i, const auto& j) {
+        const double v = i.v[0], c = i.c_s;
+        const double right = (v + c) / (1 + v * c), left = (v - c) / (1 - v * c);
+        fastest = ((j.v[0] + j.c_s) / (1.0 + j.v[0] * j.c_s)).max(right);
+        slowest = ((j.v[0] - j.c_s) / (1.0 - j.v[0] * j.c_s)).min(left);
+    }
+    Tile spread() const { return fastest - slowest; }
+};
+
+/// Of particles that approach each other,
+///     dq_i/dt = sum_j nu_j K v_sig/N (q_i - q_j) r F,   dE_i/dt = sum_j nu_j K v_sig/N (E_i - E_j) r F,
+///     v_sig = sum_{k = i, j} (c_k + |w|)/(1 + c_k |w|) + |w|,   w = (v_i - v_j)/(1 - v_i v_j),
+/// with r F <= 0, N the mean. Conducts wherever it acts. (Chow & Monaghan 1997, J. Comput. Phys. 134, 296;
+/// Monaghan 2005, section 12.)
+struct ChowMonaghan {
+    double K = 0.5;
+    using Reads = List<Velocity, Momentum, EnergyPerBaryon, SoundSpeed, Density>;
+    using ReadsJ = List<Mass>;
+    using Adds = List<Acceleration, EnergyRate>;
+    void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
+        const Tile w = ((i.v[0] - j.v[0]) / (1.0 - i.v[0] * j.v[0])).abs();
+        const Tile v_sig = (i.c_s + w) / (1.0 + i.c_s * w) + (j.c_s + w) / (1.0 + j.c_s * w) + w;
+        const Tile approach = ((i.v[0] - j.v[0]) * pair.x_ij[0] < 0).select(v_sig, Tile(0.0));
+        const Tile weight = K * j.m * approach / (0.5 * (i.rho + j.rho)) * pair.r * mean_F(pair);
+        sum.dv_dt[0] += weight * (i.q[0] - j.q[0]);
+        sum.dE_dt += weight * (i.E - j.E);
+    }
+};
+
+/// The same, but of the jump in rapidity that both particles' slopes leave between them (chapter 4,
+/// reconstruction.hpp), dy = n (y_i - y_j) - r s < 0, s = van Leer's mean slope, distrusted beyond c_s, and
+/// with the signals of the laboratory: moving gas is contracted and its clocks are slow, so that its v_sig is
+/// 1/lorentz^2 of that at rest. A jump dy about the mean rapidity y exchanges
+///     momentum  2 h sinh(dy/2) cosh y,   energy  2 h sinh(dy/2) sinh y,   h the mean enthalpy:
+/// in the mean rest frame of the pair a momentum, and no energy.
+struct ReconstructedExchange {
+    static constexpr double largest_jump = 50;
+    double K = 0.85;
+    using Reads = List<Velocity, Rapidity, RapidityGradient, SoundSpeed, Density, Enthalpy>;
+    using ReadsJ = List<Mass>;
+    using Adds = List<Acceleration, EnergyRate>;
+    void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
+        const Tile n = pair.x_ij[0] / pair.r.max(std::numeric_limits<double>::min());
+        const Tile w = n * (i.y - j.y), c = 0.5 * (i.c_s + j.c_s);
+        const Tile trust = c * c / (c * c + w * w);
+        const Tile slope = common_slope(Tile(j.dy_dx[0]), Tile(Tile(0.0) + i.dy_dx[0])) * trust;
+        // Bounded: lanes behind the last neighbour are far away, and 0 times infinity is no weight.
+        const Tile half = (0.5 * (w - pair.r * slope)).min(0.0).max(-largest_jump), y = 0.5 * (i.y + j.y);
+        const Tile jump = half.exp() - (-half).exp(), e = y.exp();
+        const Tile v_sig = LabSignals{i, j}.spread();
+        const Tile weight = K * j.m * v_sig / (0.5 * (i.rho + j.rho)) * pair.r * mean_F(pair) * jump * n *
+                            (0.5 * (i.h_enthalpy + j.h_enthalpy));
+        sum.dv_dt[0] += weight * 0.5 * (e + 1.0 / e);
+        sum.dE_dt += weight * 0.5 * (e - 1.0 / e);
+    }
+};
+
+/// Thermal energy exchanged in the mean rest frame of a pair, at chapter 4's ContactSpeed: v_u =
+/// alpha_u sqrt(|dP|/(n h)), at most `cap` of the smaller speed of sound, 1/lorentz^2 of it in the
+/// laboratory; dP is the jump that the common slope of the pressure leaves. alpha_u >= 0.
+struct ContactConduction {
+    double alpha_u = 2, cap = 0.2;
+    using Reads = List<ThermalEnergy, Rapidity, Pressure, PressureGradient, SoundSpeed, Density, Enthalpy>;
+    using ReadsJ = List<Mass>;
+    using Adds = List<Acceleration, EnergyRate>;
+    void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
+        const Tile slope = common_slope(Tile(j.dp_dx[0] * pair.x_ij[0]), Tile(i.dp_dx[0] * pair.x_ij[0]));
+        const Tile e = (0.5 * (i.y + j.y)).exp(), cosh = 0.5 * (e + 1.0 / e), sinh = 0.5 * (e - 1.0 / e);
+        const Tile inertia = 0.5 * (i.rho * i.h_enthalpy + j.rho * j.h_enthalpy) / cosh;
+        const Tile v_u = alpha_u * (((i.p - j.p) - slope).abs() / inertia).sqrt();
+        const Tile limited = v_u.min(Tile(cap * j.c_s.min(i.c_s))) / (cosh * cosh);
+        const Tile weight = j.m * limited * (i.u - j.u) / (0.5 * (i.rho + j.rho)) * pair.r * mean_F(pair);
+        sum.dv_dt[0] += weight * sinh;
+        sum.dE_dt += weight * cosh;
+    }
+};
+
+/// The rate that limits the step: the fastest signal past either particle over the mean h (in front of a
+/// strong shock the smaller one would cost three times the steps for the same errors), and the speed at which
+/// the distance changes over the distance.
+struct LabSignalRate {
+    using Reads = List<Velocity, SoundSpeed, SmoothingLength>;
+    using Adds = List<StepRate>;
+    void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
+        const LabSignals lab{i, j};
+        const Tile ahead = lab.fastest - j.v[0].min(i.v[0]), behind = j.v[0].max(i.v[0]) - lab.slowest;
+        const Tile distance = pair.r.max(std::numeric_limits<double>::min());
+        const Tile rate = (ahead.max(behind) / (0.5 * (i.h + j.h))).max((i.v[0] - j.v[0]).abs() / distance);
+        sum.step_rate = sum.step_rate.max((mean_F(pair) < 0).select(rate, 0.0));
+    }
+};
+
+}  // namespace sph
