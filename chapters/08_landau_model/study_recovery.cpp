@@ -25,8 +25,8 @@ void recovery(report::Run& run) {
     const ConformalFluid radiation;
     const int points = run.quick() ? 13 : 61;
     plot::Figure figure{"recovery"};
-    plot::Panel& axes =
-        figure.panel().log_log().labels("lorentz – 1", "relative error of lorentz (1: no answer)");
+    plot::Panel& axes = figure.panel().log_log().labels(
+        "lorentz – 1", "relative error of lorentz (1: no answer; 10^{–17}: none)");
     report::Table table{{"way", "largest error, lorentz to 1e6", "fails from lorentz"}};
     const auto add = [&](const std::string& name, const std::string& label, std::size_t k, auto&& find) {
         plot::Values at, error;

@@ -45,8 +45,8 @@ void tube(report::Run& run, const Study& study) {
                            Column Profile::*quantity) -> plot::Panel& {
         plot::Panel& axes = figure.at(row, column).labels("$x$", label).x_range(study.low, study.high);
         axes.curve(exact.x, exact.*quantity, exact_line());
-        for (std::size_t k = 0; k < entries.size(); ++k) {
-            if (k == 2) continue;  // the disordered run, which lies on the even one
+        // The grid below the particles; not the disordered run, which lies on the even one.
+        for (const std::size_t k : {std::size_t{3}, std::size_t{0}, std::size_t{1}}) {
             axes.points(entries[k].result.profile.x, entries[k].result.profile.*quantity,
                         {.label = entries[k].label,
                          .colour = k == 3 ? plot::Colour{0.5, 0.5, 0.5} : plot::cycle(k),
