@@ -89,7 +89,6 @@ RelativisticTubeRun run(const TubeScene& scene, const Method& method) {
         const double lorentz = std::cosh(p.y[i]);
         all.x.push_back(p.x[0][i]), all.rho.push_back(p.rho[i] / lorentz), all.v.push_back(p.v[0][i]);
         all.p.push_back(p.p[i]), all.u.push_back(p.u[i]);
-        result.largest_lorentz = std::max(result.largest_lorentz, lorentz);
     }
     look_at_shock(result, all, scene, solution);
     const Column dx = spacings(all.x);

@@ -19,7 +19,6 @@ struct RelativisticTubeRun : TubeRun {
     double shock = 0;  ///< where the outermost density of the right wave crosses the mean of both its sides
     double shock_error = 0;  ///< relative to its exact place; 0 where the right wave is no shock
     double shell_peak = 0;   ///< largest density behind that shock over the exact one
-    double largest_lorentz = 0;
 };
 
 /// Runs the scene: `n` particles of equal baryon number (lab-frame density times length) in |x| < 0.5.

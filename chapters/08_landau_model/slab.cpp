@@ -61,8 +61,8 @@ std::vector<SlabProfile> run(const SlabScene& scene, const SlabMethod& method, R
     for (const double end : scene.times) {
         while (t < end) {
             const double allowed = std::min(scene.courant * fluid.crossing_time(), longest);
-            const double left = end - t,
-                         dt = allowed < left ? std::min(allowed, left / 2 + allowed / 4) : left;
+            const double left = end - t;
+            const double dt = left > 2 * allowed ? allowed : left > allowed ? left / 2 : left;
             longest = growth * allowed;
             integrator.step(fluid.particles, t, dt, [&](double now) { fluid.rates(now); });
             if (dt == left) t = end;

@@ -22,6 +22,7 @@ std::string percent(double value) {
 void tube(report::Run& run, const Study& study) {
     struct Entry {
         std::string name, label;
+        std::size_t n;  ///< its own: some runs have half the scene's
         RelativisticTubeRun result;
     };
     std::vector<Entry> entries;
@@ -29,15 +30,15 @@ void tube(report::Run& run, const Study& study) {
     half.n /= 2;
     const Method &classical = relativistic_method("chow-monaghan"), &best = relativistic_methods().back();
     const TubeScene& for_classical = study.classical_has_half ? half : study.scene;
-    entries.push_back({classical.name, classical.label + (study.classical_has_half ? ", half as many" : ""),
-                       run_relativistic_tube(for_classical, classical)});
-    entries.push_back({best.name, best.label, run_relativistic_tube(study.scene, best)});
+    entries.push_back(
+        {classical.name, classical.label, for_classical.n, run_relativistic_tube(for_classical, classical)});
+    entries.push_back({best.name, best.label, study.scene.n, run_relativistic_tube(study.scene, best)});
     half.jitter = 0.1;
-    entries.push_back({best.name + " jitter=0.1", best.label + ", jitter 0.1, half as many",
-                       run_relativistic_tube(half, best)});
-    entries.push_back({"grid", "grid", run_grid_relativistic_tube(study.scene)});
-    report::Table table{
-        {"method", "ρ %", "v %", "P %", "shock %", "peak of ρ, exact = 1", "energy drift", "steps", "CPU s"}};
+    entries.push_back(
+        {best.name + " jitter=0.1", best.label + ", jitter 0.1", half.n, run_relativistic_tube(half, best)});
+    entries.push_back({"grid", "grid", study.scene.n, run_grid_relativistic_tube(study.scene)});
+    report::Table table{{"method", "N", "ρ %", "v %", "P %", "shock %", "peak of ρ, exact = 1",
+                         "energy drift", "steps", "CPU s"}};
     const Profile exact = exact_profile(exact_tube(relativistic_solution(study.scene), study.scene.time),
                                         study.low, study.high);
     plot::Figure figure{study.name, 2, 2};
@@ -62,9 +63,9 @@ void tube(report::Run& run, const Study& study) {
     panel(1, 0, "$P$", &Profile::p);
     panel(1, 1, "$u$", &Profile::u).log_y();
     run.save(figure);
-    const auto n = static_cast<long>(study.scene.n);
     for (const Entry& entry : entries) {
         const RelativisticTubeRun& result = entry.result;
+        const auto n = static_cast<long>(entry.n);
         const auto row = [&](const std::string& quantity, double value) {
             run.result(entry.name, n, quantity, value);
         };
@@ -73,8 +74,8 @@ void tube(report::Run& run, const Study& study) {
         row("energy_drift", result.energy_drift), row("momentum_drift", result.momentum_drift);
         row("steps", static_cast<double>(result.counters.steps));
         run.result(entry.name, n, "cpu_seconds", result.seconds, "s");
-        table.row({entry.label, percent(result.l1_rho), percent(result.l1_v), percent(result.l1_p),
-                   percent(result.shock_error), report::fixed(result.shell_peak, 2),
+        table.row({entry.label, std::to_string(n), percent(result.l1_rho), percent(result.l1_v),
+                   percent(result.l1_p), percent(result.shock_error), report::fixed(result.shell_peak, 2),
                    below(std::max(result.energy_drift, 1e-13)), std::to_string(result.counters.steps),
                    report::timing(result.seconds)});
     }
