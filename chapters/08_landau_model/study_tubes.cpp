@@ -48,11 +48,13 @@ void tube(report::Run& run, const Study& study) {
         axes.curve(exact.x, exact.*quantity, exact_line());
         // The grid below the particles; not the disordered run, which lies on the even one.
         for (const std::size_t k : {std::size_t{3}, std::size_t{0}, std::size_t{1}}) {
-            axes.points(entries[k].result.profile.x, entries[k].result.profile.*quantity,
-                        {.label = entries[k].label,
-                         .colour = k == 3 ? plot::Colour{0.5, 0.5, 0.5} : plot::cycle(k),
-                         .marker = k == 3 ? plot::Marker::plus : plot::Marker::circle,
-                         .marker_size = 3});
+            axes.points(
+                entries[k].result.profile.x, entries[k].result.profile.*quantity,
+                {.label = entries[k].label +
+                          (entries[k].n == study.scene.n ? "" : ", $N$ = " + std::to_string(entries[k].n)),
+                 .colour = k == 3 ? plot::Colour{0.5, 0.5, 0.5} : plot::cycle(k),
+                 .marker = k == 3 ? plot::Marker::plus : plot::Marker::circle,
+                 .marker_size = 3});
         }
         axes.legend.shown = row == 0 && column == 1;
         axes.legend.outside = true;
