@@ -2,7 +2,7 @@
 #include <array>
 
 #include "chapters/01_kernel_interpolation/kernels.hpp"
-#include "chapters/01_kernel_interpolation/particles.hpp"
+#include "chapters/01_kernel_interpolation/scenes/particles.hpp"
 #include "chapters/01_kernel_interpolation/smoothing.hpp"
 #include "common/core/pass.hpp"
 

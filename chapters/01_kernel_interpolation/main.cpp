@@ -1,6 +1,6 @@
 // Chapter 1. Kernel interpolation: how well does a sum over particles stand for a function and its
 // derivatives? Figures: renders/01_kernel_interpolation/. Text: README.md.
-#include "chapters/01_kernel_interpolation/studies.hpp"
+#include "chapters/01_kernel_interpolation/figures/figures.hpp"
 #include "revision.hpp"
 
 int main(int argc, char** argv) {

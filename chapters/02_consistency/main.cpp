@@ -1,6 +1,6 @@
 // Chapter 2. Consistency: why does SPH not even reproduce a constant near a boundary or on disordered
 // particles, and what restores it? Figures: renders/02_consistency/. Text: README.md.
-#include "chapters/02_consistency/studies.hpp"
+#include "chapters/02_consistency/figures/figures.hpp"
 #include "revision.hpp"
 
 int main(int argc, char** argv) {

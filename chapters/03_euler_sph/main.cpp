@@ -1,6 +1,6 @@
 // Chapter 3. Euler SPH: how does interpolation become dynamics that conserve momentum and energy?
 // Figures: renders/03_euler_sph/. Text: README.md.
-#include "chapters/03_euler_sph/studies.hpp"
+#include "chapters/03_euler_sph/figures/figures.hpp"
 #include "revision.hpp"
 
 int main(int argc, char** argv) {

@@ -1,6 +1,6 @@
 // Chapter 4. Artificial viscosity: what lets SPH pass a shock, and what does that cost elsewhere?
 // Figures: renders/04_artificial_viscosity/. Text: README.md.
-#include "chapters/04_artificial_viscosity/studies.hpp"
+#include "chapters/04_artificial_viscosity/figures/figures.hpp"
 #include "revision.hpp"
 
 int main(int argc, char** argv) {

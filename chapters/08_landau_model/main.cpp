@@ -1,6 +1,6 @@
 // Chapter 8. The Landau model: relativistic, entropy-based SPH, followed into the vacuum.
 // Figures: renders/08_landau_model/. Text: README.md.
-#include "chapters/08_landau_model/studies.hpp"
+#include "chapters/08_landau_model/figures/figures.hpp"
 #include "revision.hpp"
 
 int main(int argc, char** argv) {

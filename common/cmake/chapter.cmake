@@ -2,7 +2,7 @@
 function(add_chapter)
     get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
     string(SUBSTRING ${name} 0 2 number)
-    file(GLOB sources CONFIGURE_DEPENDS *.cpp *.hpp)
+    file(GLOB sources CONFIGURE_DEPENDS *.cpp *.hpp scenes/*.cpp scenes/*.hpp figures/*.cpp figures/*.hpp)
     list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
     # The figures' metadata name the source that computed them: a digest that changes with the chapter's files.
     set(revision ${CMAKE_CURRENT_BINARY_DIR}/revision.hpp)

@@ -1,5 +1,5 @@
 # Writes OUTPUT, a header with the digest of the sources in FOLDER, only when it changes.
-file(GLOB files ${FOLDER}/*.cpp ${FOLDER}/*.hpp)
+file(GLOB files ${FOLDER}/*.cpp ${FOLDER}/*.hpp ${FOLDER}/scenes/*.?pp ${FOLDER}/figures/*.?pp)
 list(SORT files)
 set(digests "")
 foreach(file IN LISTS files)

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "chapters/01_kernel_interpolation/fourier.hpp"
-#include "chapters/01_kernel_interpolation/integral.hpp"
+#include "chapters/01_kernel_interpolation/scenes/integral.hpp"
 
 using namespace sph;
 

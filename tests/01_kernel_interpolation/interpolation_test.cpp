@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "chapters/01_kernel_interpolation/finite_differences.hpp"
+#include "chapters/01_kernel_interpolation/scenes/finite_differences.hpp"
 #include "chapters/01_kernel_interpolation/fourier.hpp"
 #include "chapters/01_kernel_interpolation/interpolation.hpp"
-#include "chapters/01_kernel_interpolation/measured.hpp"
-#include "chapters/01_kernel_interpolation/test_function.hpp"
+#include "chapters/01_kernel_interpolation/scenes/measured.hpp"
+#include "chapters/01_kernel_interpolation/scenes/test_function.hpp"
 #include "common/report/norms.hpp"
 
 using namespace sph;

@@ -4,9 +4,9 @@
 #include <complex>
 #include <limits>
 
-#include "chapters/01_kernel_interpolation/integral.hpp"
+#include "chapters/01_kernel_interpolation/scenes/integral.hpp"
 #include "chapters/01_kernel_interpolation/interpolation.hpp"
-#include "chapters/01_kernel_interpolation/naive.hpp"
+#include "chapters/01_kernel_interpolation/scenes/naive.hpp"
 
 using namespace sph;
 

@@ -1,7 +1,7 @@
 // What the corrected sums reproduce, with which order, and which printed equations would not.
 #include <catch2/catch.hpp>
 
-#include "chapters/02_consistency/measured.hpp"
+#include "chapters/02_consistency/scenes/measured.hpp"
 #include "common/report/norms.hpp"
 
 using namespace sph;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "chapters/02_consistency/hard_sets.hpp"
+#include "chapters/02_consistency/scenes/hard_sets.hpp"
 
 using namespace sph;
 

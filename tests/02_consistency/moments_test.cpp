@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "chapters/01_kernel_interpolation/fourier.hpp"
-#include "chapters/02_consistency/measured.hpp"
+#include "chapters/02_consistency/scenes/measured.hpp"
 
 using namespace sph;
 

@@ -1,9 +1,9 @@
 // Jumps, and smoothing lengths that vary.
 #include <catch2/catch.hpp>
 
-#include "chapters/01_kernel_interpolation/test_function.hpp"
+#include "chapters/01_kernel_interpolation/scenes/test_function.hpp"
 #include "chapters/02_consistency/discontinuity.hpp"
-#include "chapters/02_consistency/graded_line.hpp"
+#include "chapters/02_consistency/scenes/graded_line.hpp"
 #include "chapters/02_consistency/smoothing_lengths.hpp"
 
 using namespace sph;

@@ -3,7 +3,7 @@
 
 #include "chapters/01_kernel_interpolation/kernels.hpp"
 #include "chapters/03_euler_sph/dispersion.hpp"
-#include "chapters/03_euler_sph/wave.hpp"
+#include "chapters/03_euler_sph/scenes/wave.hpp"
 
 using namespace sph;
 

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 
 #include "chapters/03_euler_sph/external.hpp"
-#include "chapters/03_euler_sph/forms.hpp"
+#include "chapters/03_euler_sph/scenes/forms.hpp"
 #include "chapters/03_euler_sph/gas.hpp"
-#include "chapters/03_euler_sph/necklace.hpp"
+#include "chapters/03_euler_sph/scenes/necklace.hpp"
 
 using namespace sph;
 

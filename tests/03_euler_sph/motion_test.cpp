@@ -1,13 +1,13 @@
 // Scenes that move: reversal, stars, rarefaction, necklace, liquid.
 #include <catch2/catch.hpp>
 
-#include "chapters/03_euler_sph/disc.hpp"
-#include "chapters/03_euler_sph/lagrangian_grid.hpp"
-#include "chapters/03_euler_sph/necklace.hpp"
-#include "chapters/03_euler_sph/patch.hpp"
-#include "chapters/03_euler_sph/rarefaction_scene.hpp"
-#include "chapters/03_euler_sph/reversal.hpp"
-#include "chapters/03_euler_sph/star_energy.hpp"
+#include "chapters/03_euler_sph/scenes/disc.hpp"
+#include "chapters/03_euler_sph/scenes/lagrangian_grid.hpp"
+#include "chapters/03_euler_sph/scenes/necklace.hpp"
+#include "chapters/03_euler_sph/scenes/patch.hpp"
+#include "chapters/03_euler_sph/scenes/rarefaction_scene.hpp"
+#include "chapters/03_euler_sph/scenes/reversal.hpp"
+#include "chapters/03_euler_sph/scenes/star_energy.hpp"
 #include "common/exact/toy_star.hpp"
 #include "common/exact/toy_star_modes.hpp"
 

@@ -1,9 +1,9 @@
 // Artificial viscosity in the plane: shocks that run across the rows of particles, and shear.
 #include <catch2/catch.hpp>
 
-#include "chapters/04_artificial_viscosity/noh_plane.hpp"
-#include "chapters/04_artificial_viscosity/sedov_plane.hpp"
-#include "chapters/04_artificial_viscosity/shear_layer.hpp"
+#include "chapters/04_artificial_viscosity/scenes/noh_plane.hpp"
+#include "chapters/04_artificial_viscosity/scenes/sedov_plane.hpp"
+#include "chapters/04_artificial_viscosity/scenes/shear_layer.hpp"
 #include "common/core/unstable.hpp"
 
 using namespace sph;

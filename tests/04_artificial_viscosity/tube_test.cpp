@@ -1,9 +1,9 @@
 // Tubes and hard cases: what each dissipation reaches, what it conserves, and what the naive methods do.
 #include <catch2/catch.hpp>
 
-#include "chapters/04_artificial_viscosity/standing_wave.hpp"
-#include "chapters/04_artificial_viscosity/survival.hpp"
-#include "chapters/04_artificial_viscosity/woodward_colella.hpp"
+#include "chapters/04_artificial_viscosity/scenes/standing_wave.hpp"
+#include "chapters/04_artificial_viscosity/scenes/survival.hpp"
+#include "chapters/04_artificial_viscosity/scenes/woodward_colella.hpp"
 #include "common/core/unstable.hpp"
 
 using namespace sph;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "chapters/04_artificial_viscosity/dissipative_gas.hpp"
-#include "chapters/04_artificial_viscosity/quadratic.hpp"
+#include "chapters/04_artificial_viscosity/scenes/quadratic.hpp"
 
 using namespace sph;
 

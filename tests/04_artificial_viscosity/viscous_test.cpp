@@ -6,8 +6,8 @@
 #include "chapters/01_kernel_interpolation/wendland.hpp"
 #include "chapters/04_artificial_viscosity/dissipative_gas.hpp"
 #include "chapters/04_artificial_viscosity/physical_viscosity.hpp"
-#include "chapters/04_artificial_viscosity/shear_layer.hpp"
-#include "chapters/04_artificial_viscosity/viscous_flow.hpp"
+#include "chapters/04_artificial_viscosity/scenes/shear_layer.hpp"
+#include "chapters/04_artificial_viscosity/scenes/viscous_flow.hpp"
 
 using namespace sph;
 

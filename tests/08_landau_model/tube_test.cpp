@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "chapters/08_landau_model/grid.hpp"
-#include "chapters/08_landau_model/relativistic_tube.hpp"
+#include "chapters/08_landau_model/scenes/grid.hpp"
+#include "chapters/08_landau_model/scenes/relativistic_tube.hpp"
 #include "common/core/unstable.hpp"
 #include "common/report/norms.hpp"
 

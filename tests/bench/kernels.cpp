@@ -1,8 +1,8 @@
 #include <Eigen/Core>
 
 #include "chapters/01_kernel_interpolation/interpolation.hpp"
-#include "chapters/01_kernel_interpolation/naive.hpp"
-#include "chapters/01_kernel_interpolation/studies.hpp"
+#include "chapters/01_kernel_interpolation/scenes/naive.hpp"
+#include "chapters/01_kernel_interpolation/figures/figures.hpp"
 #include "tests/bench/benches.hpp"
 #include "tests/bench/measure.hpp"
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "chapters/01_kernel_interpolation/naive.hpp"
+#include "chapters/01_kernel_interpolation/scenes/naive.hpp"
 #include "tests/bench/gas.hpp"
 
 /// How the same pass is usually written: particles as structures, one pair at a time. Each way computes what

@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "chapters/01_kernel_interpolation/naive.hpp"
+#include "chapters/01_kernel_interpolation/scenes/naive.hpp"
 #include "tests/bench/gas.hpp"
 
 /// The same effects, chosen at run time: by ifs and by virtual calls, for each tile of eight pairs and for

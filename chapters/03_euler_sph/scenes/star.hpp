@@ -1,0 +1,85 @@
+#pragma once
+#include "chapters/03_euler_sph/external.hpp"
+#include "chapters/03_euler_sph/scenes/schemes.hpp"
+
+/// A toy star in one dimension (Monaghan 2005, sections 6.2-6.3): gas held together by a linear force. At
+/// rest its radius, its central density and Omega are 1, rho^(gamma - 1) = 1 - x^2.
+namespace sph {
+
+/// How the particles of the star at rest are spaced.
+enum class Spacing {
+    even,    ///< the same spacing everywhere, masses that vanish at the edge
+    graded,  ///< half way from even spacing to one in proportion to the speed of sound, finest at the edge
+    masses   ///< equal masses: the spacing grows towards the edge
+};
+
+struct StarScene {
+    std::size_t n = 400;
+    double gamma = 2;  ///< > 1
+    Spacing spacing = Spacing::graded;
+    int threads = 1;
+    Polytrope state() const { return {(gamma - 1) / (2 * gamma), gamma}; }
+};
+
+template <class Resolution>
+using StarGas = Gas<Resolution, Barotropic<Polytrope>, Free, LinearForce>;
+
+/// Where the particles are put, and their masses: those of the exact star between the midpoints of the
+/// spacing's coordinate.
+struct StarPoints {
+    Column x, m, width;
+};
+StarPoints star_points(const StarScene& scene);
+
+/// Puts a star's particles at the places of the exact solution, nearly at rest.
+template <class P, class Resolution>
+void fill_star(P& p, const StarScene& scene, const Resolution& resolution) {
+    const StarPoints points = star_points(scene);
+    p.x[0] = points.x;
+    p.m = points.m;
+    for (std::size_t i = 0; i < scene.n; ++i) {
+        p.rho[i] = points.m[i] / points.width[i];
+        if constexpr (requires { p.h[i]; }) p.h[i] = resolution.rule.sigma * points.width[i];
+    }
+}
+template <class Resolution>
+StarGas<Resolution> star_gas(const StarScene& scene, const Resolution& resolution) {
+    StarGas<Resolution> gas{scene.n, resolution, {scene.state()}, Free{}, scene.threads, LinearForce{1}};
+    fill_star(gas.particles, scene, resolution);
+    return gas;
+}
+
+/// Frequencies of the linear modes 1..`modes` of the discrete star at rest, without waiting for it to
+/// oscillate: it is brought to rest by Newton's method, and the eigenvalues of its Jacobian are -omega^2.
+/// Throws Unstable if it has no equilibrium near the exact one.
+std::vector<double> star_frequencies(const StarScene& scene, const GasScheme& scheme, int modes);
+
+/// Omega (5.7) of the particles of the relaxed star, with own h.
+Column star_omega(const StarScene& scene, const GasScheme& scheme);
+
+/// What a star that oscillates leaves.
+struct StarRun {
+    double omega = 0;      ///< of the mode, measured over a few periods
+    Column x, v, exact_v;  ///< at the end
+};
+/// One linear mode by RK4 over `periods` + 1 periods: its velocity is the exact eigenfunction at t = 0, and
+/// its frequency that of the part of the velocity that is this mode.
+/// `phase_step`: largest phase of the mode in a time step; RK4 shifts omega by its fourth power over 120.
+StarRun run_mode(const StarScene& scene, const GasScheme& scheme, int mode, int periods,
+                 double phase_step = 0.1);
+
+/// The nonlinear oscillation v = A(t) x (6.18-6.19) from the state at rest with v = A_0 x.
+struct NonlinearRun {
+    Column t, radius, exact_radius;
+    double radius_error = 0;    ///< largest, relative
+    double velocity_error = 0;  ///< relative L1 of v at the end
+    double energy_drift = 0, momentum = 0;
+    double seconds = 0;  ///< CPU time of the oscillation, without the rest before it
+    Counters counters;
+    Column x, rho, v, exact_rho, exact_v;  ///< at the end
+};
+/// Leapfrog from the relaxed star over `time`. radius: from the second moment of the mass.
+NonlinearRun run_nonlinear(const StarScene& scene, const GasScheme& scheme, double A_0, double time,
+                           double courant = 0.3);
+
+}  // namespace sph

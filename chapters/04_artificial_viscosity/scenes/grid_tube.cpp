@@ -1,0 +1,107 @@
+#include "chapters/04_artificial_viscosity/scenes/grid_tube.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "common/exact/woodward_colella.hpp"
+#include "common/report/timer.hpp"
+
+namespace sph {
+namespace {
+
+/// The cells' averages as a profile, and their widths.
+Column read(const exact::GasCells& cells, double gamma, Profile& profile) {
+    Column width;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const auto& state = cells.states[i];
+        profile.x.push_back(cells.centre(i));
+        profile.rho.push_back(state.rho);
+        profile.v.push_back(state.v);
+        profile.p.push_back(state.p);
+        profile.u.push_back(state.p / (state.rho * (gamma - 1)));
+        width.push_back(cells.width(i));
+    }
+    return width;
+}
+
+TubeRun advance(exact::FiniteVolume& grid, double time, double gamma, Column& width) {
+    TubeRun run;
+    const double begin = report::thread_cpu_seconds();
+    grid.advance_to(time);
+    run.seconds = report::thread_cpu_seconds() - begin;
+    run.counters.steps = grid.steps();
+    run.counters.pairs = grid.cell_updates();
+    width = read(grid.cells(), gamma, run.profile);
+    return run;
+}
+
+}  // namespace
+
+TubeRun run_grid_tube(const TubeScene& scene, exact::Frame frame) {
+    const auto [begin, end] = tube_ends(scene);
+    const auto n = static_cast<double>(scene.n);
+    const double m = 0.5 * (scene.left.rho + scene.right.rho) / n;
+    const bool lagrangian = frame == exact::Frame::lagrangian;
+    const auto count = [&](double length, double rho) {
+        return static_cast<std::size_t>(std::ceil(lagrangian ? length * rho / m : length * n)) + 4;
+    };
+    const std::size_t left = count(-begin, scene.left.rho), right = count(end, scene.right.rho);
+    exact::GasCells cells;
+    const double left_width = lagrangian ? m / scene.left.rho : 1 / n;
+    const double right_width = lagrangian ? m / scene.right.rho : 1 / n;
+    for (std::size_t k = left; k > 0; --k) {
+        cells.faces.push_back(-static_cast<double>(k) * left_width);
+        cells.states.push_back(scene.left);
+    }
+    for (std::size_t k = 0; k <= right; ++k) {
+        cells.faces.push_back(static_cast<double>(k) * right_width);
+        if (k < right) cells.states.push_back(scene.right);
+    }
+    exact::FiniteVolume grid{cells, {.gamma = scene.gamma, .frame = frame}};
+    Column width;
+    TubeRun run = advance(grid, scene.time, scene.gamma, width);
+    compare(run, width, exact_tube(exact::Riemann{scene.left, scene.right, scene.gamma}, scene.time));
+    return run;
+}
+
+TubeRun run_grid_blast_waves(const BlastWaves& scene, exact::Frame frame) {
+    constexpr double gamma = exact::WoodwardColella::gamma;
+    exact::GasCells cells = exact::uniform_cells(0, 1, scene.n, {1, 0, 0.01});
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells.centre(i) < 0.1) cells.states[i].p = 1000;
+        if (cells.centre(i) > 0.9) cells.states[i].p = 100;
+    }
+    exact::FiniteVolume grid{
+        cells,
+        {.gamma = gamma, .frame = frame, .left = exact::End::reflecting, .right = exact::End::reflecting}};
+    Column width;
+    TubeRun run = advance(grid, exact::WoodwardColella::time, gamma, width);
+    compare_blast_waves(run, width);
+    return run;
+}
+
+double grid_standing_wave_error(std::size_t n, exact::Frame frame) {
+    constexpr double gamma = 1.4, amplitude = 1e-6;
+    const double k = 2 * std::numbers::pi;
+    exact::GasCells cells = exact::uniform_cells(0, 1, n, {1, 0, 1 / gamma});
+    for (std::size_t i = 0; i < n; ++i) cells.states[i].v = amplitude * std::sin(k * cells.centre(i));
+    exact::FiniteVolume grid{
+        cells, {.gamma = gamma, .frame = frame, .left = exact::End::periodic, .right = exact::End::periodic}};
+    double worst = 0;
+    const auto looks = static_cast<int>(n);
+    for (int look = 1; look <= looks; ++look) {
+        const double t = static_cast<double>(look) / looks;
+        grid.advance_to(t);
+        const exact::GasCells now = grid.cells();
+        double error = 0, size = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double shape = amplitude * std::sin(k * now.centre(i));
+            error += std::abs(now.states[i].v - shape * std::cos(k * t));
+            size += std::abs(shape);
+        }
+        worst = std::max(worst, error / size);
+    }
+    return worst;
+}
+
+}  // namespace sph

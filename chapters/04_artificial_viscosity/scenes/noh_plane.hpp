@@ -1,0 +1,41 @@
+#pragma once
+#include "chapters/04_artificial_viscosity/scenes/plane_lattice.hpp"
+#include "chapters/04_artificial_viscosity/scenes/plane_methods.hpp"
+
+/// Noh's problem in the plane: cold gas of density 1 rushes to the origin with speed 1, and a shock stops it
+/// that runs outwards with (gamma - 1)/2.
+namespace sph {
+
+struct NohScene {
+    double gamma = 5.0 / 3, time = 0.6;
+    double pressure = 1e-6;  ///< at the start; the exact solution has 0
+    double radius = 1;       ///< of the gas at the start; its free edge is at radius - time at the end
+    std::size_t n = 70;      ///< spacings in the radius
+    Lattice lattice = Lattice::square;
+    bool quarter = true;  ///< a quarter of the plane between mirrors (square lattice only), or all of it
+    double courant = 0.3;
+    long most_steps = 4000;  ///< more, and the run stops: steps that collapse would never end
+    int threads = 1;
+};
+
+struct NohRun {
+    Columns<2> x, v;              ///< at the end
+    Column r, m, rho, v_r;        ///< of the particles
+    double l1_rho = 0, l1_v = 0;  ///< relative, by area, over r < 0.9 (radius - time)
+    double plateau = 0;           ///< mean density by area over 0.25 R < r < 0.75 R, R the shock's radius
+    double centre = 0;            ///< the same over r < 0.1 R
+    double scatter = 0;           ///< root mean square of rho/plateau - 1 over the plateau
+    double energy_drift = 0;      ///< relative
+    double momentum_drift = 0;    ///< relative to sum m |v| at the start; 0 between mirrors, which push
+    Counters counters;
+    double seconds = 0;  ///< CPU time of this thread
+};
+
+/// Throws Unstable where the run leaves physics, and std::invalid_argument for scenes that are none.
+NohRun run_noh(const NohScene& scene, const Method& method);
+
+/// The same by finite volumes: n times n cells of the square (0, radius - time)^2, mirrors on two sides, the
+/// exact state flowing in on the others. `x` are centres, `m` the cells' masses.
+NohRun run_noh_grid(const NohScene& scene, std::size_t n);
+
+}  // namespace sph
