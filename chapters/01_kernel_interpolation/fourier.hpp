@@ -23,26 +23,26 @@ T sinc(const T& x) {
 /// M_n: sinc(kappa/2)^n (Monaghan 2005, 2.4, the definition of the splines).
 template <class T>
 T transform(CubicSpline<1>, const T& kappa) {
-    return power<4>(sinc(T(0.5 * kappa)));
+    return power<4>(sinc(0.5 * kappa));
 }
 template <class T>
 T transform(QuarticSpline<1>, const T& kappa) {
-    return power<5>(sinc(T(0.5 * kappa)));
+    return power<5>(sinc(0.5 * kappa));
 }
 template <class T>
 T transform(QuinticSpline<1>, const T& kappa) {
-    return power<6>(sinc(T(0.5 * kappa)));
+    return power<6>(sinc(0.5 * kappa));
 }
 /// exp(-kappa^2/4), in any dimension.
 template <int d, int cut, class T>
 T transform(Gaussian<d, cut>, const T& kappa) {
     using std::exp;
-    return exp(T(-0.25 * kappa * kappa));
+    return exp(-0.25 * kappa * kappa);
 }
 /// (1 + kappa^2/4) exp(-kappa^2/4) = 1 + O(kappa^4), in any dimension.
 template <int d, int cut, class T>
 T transform(SuperGaussian<d, cut>, const T& kappa) {
-    return T((1.0 + 0.25 * kappa * kappa) * transform(Gaussian<d, cut>{}, kappa));
+    return (1.0 + 0.25 * kappa * kappa) * transform(Gaussian<d, cut>{}, kappa);
 }
 
 /// A polynomial on 0 <= s <= 1, coefficient[n] of s^n.
@@ -94,7 +94,7 @@ T cosine_transform(Polynomial<size> p, const T& kappa) {
 /// Lucy and Wendland in 1D: support 2h, so s = q/2 and the argument is 2 kappa.
 template <class T>
 T transform(WendlandC2<1> kernel, const T& kappa) {
-    return T(2 * kernel.sigma * cosine_transform(edge_polynomial<3>(Polynomial<2>{1, 3}), T(2.0 * kappa)));
+    return 2 * kernel.sigma * cosine_transform(edge_polynomial<3>(Polynomial<2>{1, 3}), 2.0 * kappa);
 }
 template <class T>
 T transform(Lucy<1>, const T& kappa) {
@@ -102,12 +102,11 @@ T transform(Lucy<1>, const T& kappa) {
 }
 template <class T>
 T transform(WendlandC4<1> kernel, const T& kappa) {
-    return T(2 * kernel.sigma * cosine_transform(edge_polynomial<5>(Polynomial<3>{1, 5, 8}), T(2.0 * kappa)));
+    return 2 * kernel.sigma * cosine_transform(edge_polynomial<5>(Polynomial<3>{1, 5, 8}), 2.0 * kappa);
 }
 template <class T>
 T transform(WendlandC6<1> kernel, const T& kappa) {
-    return T(2 * kernel.sigma *
-             cosine_transform(edge_polynomial<7>(Polynomial<4>{1, 7, 19, 21}), T(2.0 * kappa)));
+    return 2 * kernel.sigma * cosine_transform(edge_polynomial<7>(Polynomial<4>{1, 7, 19, 21}), 2.0 * kappa);
 }
 
 /// dW^/dkappa by complex step: exact to rounding, no difference is formed.

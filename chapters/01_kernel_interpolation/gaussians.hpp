@@ -20,15 +20,15 @@ struct Gaussian : Kernel<Gaussian<d, cut>, d> {
     template <class T>
     static T w(const T& q) {
         using std::exp;
-        return zero_beyond(support, q, T(exp(T(-q * q))));
+        return zero_beyond(support, q, exp(-q * q));
     }
     template <class T>
     static T f(const T& q) {
-        return T(-2.0 * w(q));
+        return -2.0 * w(q);
     }
     template <class T>
     static T d2w(const T& q) {
-        return T((4.0 * q * q - 2.0) * w(q));
+        return (4.0 * q * q - 2.0) * w(q);
     }
 };
 
@@ -44,16 +44,16 @@ struct SuperGaussian : Kernel<SuperGaussian<d, cut>, d> {
 
     template <class T>
     static T w(const T& q) {
-        return T((0.5 * d + 1.0 - q * q) * Gaussian<d, cut>::w(q));
+        return (0.5 * d + 1.0 - q * q) * Gaussian<d, cut>::w(q);
     }
     template <class T>
     static T f(const T& q) {
-        return T((2.0 * q * q - (d + 4.0)) * Gaussian<d, cut>::w(q));
+        return (2.0 * q * q - (d + 4.0)) * Gaussian<d, cut>::w(q);
     }
     template <class T>
     static T d2w(const T& q) {
         const T q2 = q * q;
-        return T((q2 * (2.0 * d + 14.0 - 4.0 * q2) - (d + 4.0)) * Gaussian<d, cut>::w(q));
+        return (q2 * (2.0 * d + 14.0 - 4.0 * q2) - (d + 4.0)) * Gaussian<d, cut>::w(q);
     }
 };
 

@@ -1,9 +1,10 @@
 #pragma once
 #include <array>
 
+#include "chapters/01_kernel_interpolation/any_kernel.hpp"
 #include "chapters/01_kernel_interpolation/kernels.hpp"
-#include "chapters/01_kernel_interpolation/scenes/particles.hpp"
 #include "chapters/01_kernel_interpolation/smoothing.hpp"
+#include "common/core/arrangement.hpp"
 #include "common/core/pass.hpp"
 
 /// The summation interpolant and its derivatives (Monaghan 2005, 2.8-2.31): each estimate is a small type
@@ -156,7 +157,7 @@ class InterpolationWithin {
     /// `summed_density`: rho_j = sum m W (2.9), as in SPH; otherwise rho = 1, the exact mean density.
     template <class Function>
     InterpolationWithin(Boundary boundary, const Columns<d>& points, double h, Function&& A,
-                        bool summed_density = true, int threads = 1);
+                        bool summed_density = true, int threads = 1, K kernel = K{});
 
     std::size_t size() const noexcept { return particles_.size(); }
     Vector<d> position(std::size_t i) const { return load<d>(particles_, i, List<Position>{}).x; }
@@ -206,14 +207,16 @@ template <class Function>
 InterpolationWithin<K, Boundary, Estimates...>::InterpolationWithin(Boundary boundary,
                                                                     const Columns<d>& points, double h,
                                                                     Function&& A, bool summed_density,
-                                                                    int threads)
-    : particles_{points[0].size()}, smoothing_{h}, neighbours_{std::move(boundary), threads} {
+                                                                    int threads, K kernel)
+    : particles_{points[0].size()}, smoothing_{h, kernel}, neighbours_{std::move(boundary), threads} {
     const std::size_t n = particles_.size();
     particles_.x = points;
     particles_.m.assign(n, 1.0 / static_cast<double>(n));
     particles_.rho.assign(n, 1.0);
     find();
-    if (summed_density) sum_over_neighbours(particles_, neighbours_, smoothing_, Effects{SummedDensity{}});
+    if (summed_density)  // the same pass for all kernels
+        sum_over_neighbours(particles_, neighbours_, ConstantH<AnyKernel<d>>{h, AnyKernel<d>{kernel.name}},
+                            Effects{SummedDensity{}});
     for (std::size_t i = 0; i < n; ++i) {
         particles_.V[i] = particles_.m[i] / particles_.rho[i];
         particles_.A[i] = A(position(i));
@@ -232,9 +235,9 @@ template <class K, class... Estimates>
 struct Interpolation : InterpolationWithin<K, Box<K::dimension>, Estimates...> {
     template <class Function>
     Interpolation(const Columns<K::dimension>& points, double h, Function&& A, bool summed_density = true,
-                  int threads = 1)
+                  int threads = 1, K kernel = K{})
         : InterpolationWithin<K, Box<K::dimension>, Estimates...>{
-              periodic_unit_box<K::dimension>(), points, h, A, summed_density, threads} {}
+              periodic_unit_box<K::dimension>(), points, h, A, summed_density, threads, kernel} {}
 };
 
 }  // namespace sph

@@ -11,7 +11,7 @@
 /// the smoothing length h and the dimension.
 ///
 /// The argument T of the shapes is a number (double, long double, std::complex for derivatives by complex
-/// step) or an Eigen array of numbers: one formula serves tests, scalar loops and vectorised tiles.
+/// step) or a tile of eight (common/core/tile.hpp): one formula serves tests, scalar loops and passes.
 namespace sph {
 
 template <class T>
@@ -33,7 +33,7 @@ constexpr T power(const T& x) {
     } else if constexpr (n % 2 == 0) {
         return square(power<n / 2>(x));
     } else {
-        return T(x * power<n - 1>(x));
+        return x * power<n - 1>(x);
     }
 }
 
@@ -53,7 +53,7 @@ constexpr T positive_part(const T& x) {
 /// max(x, floor), with the same meaning for each T as positive_part.
 template <class T>
 constexpr T at_least(const T& x, double floor) {
-    return T(positive_part(T(x - floor)) + floor);
+    return positive_part(x - floor) + floor;
 }
 
 /// `value` where q < limit and 0 elsewhere.
@@ -61,9 +61,8 @@ template <class T>
 constexpr T zero_beyond(double limit, const T& q, const T& value) {
     if constexpr (Number<T>) {
         return q < limit ? value : T(0);
-    } else if constexpr (requires { q.max(0.0).min(1.0); }) {
-        // A step made of max and min, which are vector instructions; Eigen 3.4 selects one element at a time.
-        return value * ((limit - q) * 1e300).max(0.0).min(1.0);
+    } else if constexpr (requires { (q < limit).select(value, 0.0); }) {
+        return (q < limit).select(value, 0.0);
     } else {
         return q.real() < limit ? value : T(0);
     }
@@ -72,7 +71,7 @@ constexpr T zero_beyond(double limit, const T& q, const T& value) {
 /// n^d for the small integer d.
 template <class T>
 constexpr T to_dimension(int d, const T& x) {
-    return d == 1 ? x : d == 2 ? T(x * x) : T(x * x * x);
+    return d == 1 ? x : d == 2 ? x * x : x * x * x;
 }
 
 /// The scaling that all kernels share; Shape is the kernel itself (so that nothing is virtual). Shape
@@ -90,35 +89,35 @@ struct Kernel {
     /// dw/dq = q f(q): exact zero at q = 0, no division.
     template <class T>
     static constexpr T dw(const T& q) {
-        return T(q * Shape::f(q));
+        return q * Shape::f(q);
     }
     // r is a number or a tile of them, h a number or, if every pair has its own, a tile.
     /// W(r, h) = sigma/h^d w(r/h)   [1/L^d]
     template <class T, class H>
     static constexpr T W(const T& r, const H& h) {
-        return T((Shape::sigma / to_dimension(d, h)) * Shape::w(T(r * (1.0 / h))));
+        return (Shape::sigma / to_dimension(d, h)) * Shape::w(r * (1.0 / h));
     }
     /// dW/dr = sigma/h^(d+1) w'(r/h)   [1/L^(d+1)]
     template <class T, class H>
     static constexpr T dW_dr(const T& r, const H& h) {
-        return T((Shape::sigma / (to_dimension(d, h) * h)) * dw(T(r * (1.0 / h))));
+        return (Shape::sigma / (to_dimension(d, h) * h)) * dw(r * (1.0 / h));
     }
     /// d2W/dr2 = sigma/h^(d+2) w''(r/h)   [1/L^(d+2)]
     template <class T, class H>
     static constexpr T d2W_dr2(const T& r, const H& h) {
-        return T((Shape::sigma / (to_dimension(d, h) * h * h)) * Shape::d2w(T(r * (1.0 / h))));
+        return (Shape::sigma / (to_dimension(d, h) * h * h)) * Shape::d2w(r * (1.0 / h));
     }
     /// The gradient factor: grad_i W(x_ij, h) = x_ij F(r_ij, h), F <= 0 for monotonic kernels (Monaghan
     /// 2005, 2.19). Finite at r = 0: coincident particles need no special case.   [1/L^(d+2)]
     template <class T, class H>
     static constexpr T F(const T& r, const H& h) {
-        return T((Shape::sigma / (to_dimension(d, h) * h * h)) * Shape::f(T(r * (1.0 / h))));
+        return (Shape::sigma / (to_dimension(d, h) * h * h)) * Shape::f(r * (1.0 / h));
     }
     /// dW/dh at fixed r = -sigma/h^(d+1) (d w + q w')   [1/L^(d+1)]
     template <class T, class H>
     static constexpr T dW_dh(const T& r, const H& h) {
         const T q = r * (1.0 / h);
-        return T((-Shape::sigma / (to_dimension(d, h) * h)) * (double(d) * Shape::w(q) + q * dw(q)));
+        return (-Shape::sigma / (to_dimension(d, h) * h)) * (double(d) * Shape::w(q) + q * dw(q));
     }
 };
 

@@ -8,7 +8,8 @@
 #include "chapters/01_kernel_interpolation/splines.hpp"
 #include "chapters/01_kernel_interpolation/wendland.hpp"
 
-/// All kernels of the book, as one list, so that tests, figures and options run over every one of them.
+/// The kernels that this chapter compares, as one list, so that tests, figures and options run over every one
+/// of them.
 namespace sph {
 
 template <int d>

@@ -1,6 +1,7 @@
 #pragma once
 #include "chapters/01_kernel_interpolation/kernel.hpp"
 #include "common/core/particles.hpp"
+#include "common/core/tile.hpp"
 
 namespace sph {
 
@@ -17,13 +18,14 @@ struct Pair {
 template <class K>
 struct ConstantH {
     double h;  ///< > 0, in the unit of positions
+    [[no_unique_address]] K kernel{};
 
     template <int d>
     Pair<d, double> pair(const auto&, const auto&, const Vec<Tile, d>& x_ij) const {
         const Tile r = dot(x_ij, x_ij).sqrt();
-        return {x_ij, r, K::W(r, h), K::F(r, h), K::d2W_dr2(r, h), h};
+        return {x_ij, r, kernel.W(r, h), kernel.F(r, h), kernel.d2W_dr2(r, h), h};
     }
-    double reach() const { return K::support * h; }
+    double reach() const { return kernel.support * h; }
 };
 
 }  // namespace sph

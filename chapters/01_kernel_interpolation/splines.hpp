@@ -14,6 +14,32 @@
 /// with c.
 namespace sph {
 
+/// M_3, the quadratic spline of the family: support 1.5h, one continuous
+/// derivative. The narrowest spline whose gradient is continuous; at h = dx its sum over an even line is
+/// exactly 1 (as that of every M_n), with three neighbours.
+/// w = (1.5 - q)_+^2 - 3 (0.5 - q)_+^2. Normalisation 1/2, 16/(13 pi), 1/pi: by integration.
+/// d2w has jumps at q = 0.5 and 1.5; at these points it takes the value from outside.
+template <int d>
+struct QuadraticSpline : Kernel<QuadraticSpline<d>, d> {
+    static constexpr std::string_view name = "quadratic";
+    static constexpr double support = 1.5;
+    static constexpr std::array joints{0.5};
+    static constexpr double sigma = by_dimension<d>(0.5, 16 / (13 * pi), 1 / pi);
+
+    template <class T>
+    static constexpr T w(const T& q) {
+        return square(positive_part(1.5 - q)) - 3.0 * square(positive_part(0.5 - q));
+    }
+    template <class T>
+    static constexpr T f(const T& q) {
+        return -2.0 * positive_part(1.5 - q) / at_least(q, 0.5) + 4.0 * positive_part(0.5 - q);
+    }
+    template <class T>
+    static constexpr T d2w(const T& q) {
+        return zero_beyond(1.5, q, T(2.0)) - zero_beyond(0.5, q, T(6.0));
+    }
+};
+
 /// M_4, the cubic spline. Support 2h, two continuous derivatives.
 /// Normalisation 1/6, 5/(14 pi), 1/(4 pi); Monaghan 2005 prints 15/(14 pi) for 2D, which integrates to 3.
 template <int d>
@@ -25,17 +51,17 @@ struct CubicSpline : Kernel<CubicSpline<d>, d> {
 
     template <class T>
     static constexpr T w(const T& q) {
-        return T(cube(positive_part(T(2.0 - q))) - 4.0 * cube(positive_part(T(1.0 - q))));
+        return cube(positive_part(2.0 - q)) - 4.0 * cube(positive_part(1.0 - q));
     }
     template <class T>
     static constexpr T f(const T& q) {
-        const T a = positive_part(T(2.0 - q));
-        const T b = positive_part(T(1.0 - q));
-        return T(-3.0 * square(a) / at_least(q, 1.0) + 3.0 * b * (b - 1.0));
+        const T a = positive_part(2.0 - q);
+        const T b = positive_part(1.0 - q);
+        return -3.0 * square(a) / at_least(q, 1.0) + 3.0 * b * (b - 1.0);
     }
     template <class T>
     static constexpr T d2w(const T& q) {
-        return T(6.0 * positive_part(T(2.0 - q)) - 24.0 * positive_part(T(1.0 - q)));
+        return 6.0 * positive_part(2.0 - q) - 24.0 * positive_part(1.0 - q);
     }
 };
 
@@ -50,21 +76,20 @@ struct QuarticSpline : Kernel<QuarticSpline<d>, d> {
 
     template <class T>
     static constexpr T w(const T& q) {
-        return T(power<4>(positive_part(T(2.5 - q))) - 5.0 * power<4>(positive_part(T(1.5 - q))) +
-                 10.0 * power<4>(positive_part(T(0.5 - q))));
+        return power<4>(positive_part(2.5 - q)) - 5.0 * power<4>(positive_part(1.5 - q)) +
+               10.0 * power<4>(positive_part(0.5 - q));
     }
     template <class T>
     static constexpr T f(const T& q) {
-        const T a = positive_part(T(2.5 - q));
-        const T b = positive_part(T(1.5 - q));
-        const T c = positive_part(T(0.5 - q));
-        return T((20.0 * cube(b) - 4.0 * cube(a)) / at_least(q, 0.5) -
-                 16.0 * c * (3.0 + c * (3.0 + 2.0 * c)));
+        const T a = positive_part(2.5 - q);
+        const T b = positive_part(1.5 - q);
+        const T c = positive_part(0.5 - q);
+        return (20.0 * cube(b) - 4.0 * cube(a)) / at_least(q, 0.5) - 16.0 * c * (3.0 + c * (3.0 + 2.0 * c));
     }
     template <class T>
     static constexpr T d2w(const T& q) {
-        return T(12.0 * square(positive_part(T(2.5 - q))) - 60.0 * square(positive_part(T(1.5 - q))) +
-                 120.0 * square(positive_part(T(0.5 - q))));
+        return 12.0 * square(positive_part(2.5 - q)) - 60.0 * square(positive_part(1.5 - q)) +
+               120.0 * square(positive_part(0.5 - q));
     }
 };
 
@@ -79,21 +104,21 @@ struct QuinticSpline : Kernel<QuinticSpline<d>, d> {
 
     template <class T>
     static constexpr T w(const T& q) {
-        return T(power<5>(positive_part(T(3.0 - q))) - 6.0 * power<5>(positive_part(T(2.0 - q))) +
-                 15.0 * power<5>(positive_part(T(1.0 - q))));
+        return power<5>(positive_part(3.0 - q)) - 6.0 * power<5>(positive_part(2.0 - q)) +
+               15.0 * power<5>(positive_part(1.0 - q));
     }
     template <class T>
     static constexpr T f(const T& q) {
-        const T a = positive_part(T(3.0 - q));
-        const T b = positive_part(T(2.0 - q));
-        const T c = positive_part(T(1.0 - q));
-        return T((30.0 * power<4>(b) - 5.0 * power<4>(a)) / at_least(q, 1.0) -
-                 c * (50.0 + c * (90.0 + c * (30.0 + 25.0 * c))));
+        const T a = positive_part(3.0 - q);
+        const T b = positive_part(2.0 - q);
+        const T c = positive_part(1.0 - q);
+        return (30.0 * power<4>(b) - 5.0 * power<4>(a)) / at_least(q, 1.0) -
+               c * (50.0 + c * (90.0 + c * (30.0 + 25.0 * c)));
     }
     template <class T>
     static constexpr T d2w(const T& q) {
-        return T(20.0 * cube(positive_part(T(3.0 - q))) - 120.0 * cube(positive_part(T(2.0 - q))) +
-                 300.0 * cube(positive_part(T(1.0 - q))));
+        return 20.0 * cube(positive_part(3.0 - q)) - 120.0 * cube(positive_part(2.0 - q)) +
+               300.0 * cube(positive_part(1.0 - q));
     }
 };
 

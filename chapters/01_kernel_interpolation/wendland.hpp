@@ -20,15 +20,15 @@ struct Lucy : Kernel<Lucy<d>, d> {
 
     template <class T>
     static constexpr T w(const T& q) {
-        return T(cube(positive_part(T(1.0 - 0.5 * q))) * (1.0 + 1.5 * q));
+        return cube(positive_part(1.0 - 0.5 * q)) * (1.0 + 1.5 * q);
     }
     template <class T>
     static constexpr T f(const T& q) {
-        return T(-3.0 * square(positive_part(T(1.0 - 0.5 * q))));
+        return -3.0 * square(positive_part(1.0 - 0.5 * q));
     }
     template <class T>
     static constexpr T d2w(const T& q) {
-        return T(-3.0 * positive_part(T(1.0 - 0.5 * q)) * (1.0 - 1.5 * q));
+        return -3.0 * positive_part(1.0 - 0.5 * q) * (1.0 - 1.5 * q);
     }
 };
 
@@ -43,15 +43,15 @@ struct WendlandC2 : Kernel<WendlandC2<d>, d> {
 
     template <class T>
     static constexpr T w(const T& q) {
-        return T(power<n>(positive_part(T(1.0 - 0.5 * q))) * (1.0 + 0.5 * n * q));
+        return power<n>(positive_part(1.0 - 0.5 * q)) * (1.0 + 0.5 * n * q);
     }
     template <class T>
     static constexpr T f(const T& q) {
-        return T((-0.25 * n * (n + 1)) * power<n - 1>(positive_part(T(1.0 - 0.5 * q))));
+        return (-0.25 * n * (n + 1)) * power<n - 1>(positive_part(1.0 - 0.5 * q));
     }
     template <class T>
     static constexpr T d2w(const T& q) {
-        return T((-0.25 * n * (n + 1)) * power<n - 2>(positive_part(T(1.0 - 0.5 * q))) * (1.0 - 0.5 * n * q));
+        return (-0.25 * n * (n + 1)) * power<n - 2>(positive_part(1.0 - 0.5 * q)) * (1.0 - 0.5 * n * q);
     }
 };
 
@@ -68,19 +68,19 @@ struct WendlandC4 : Kernel<WendlandC4<d>, d> {
     template <class T>
     static constexpr T w(const T& q) {
         const T s = 0.5 * q;
-        return T(power<n>(positive_part(T(1.0 - s))) * (1.0 + s * (double(n) + (line ? 8.0 : 35.0 / 3) * s)));
+        return power<n>(positive_part(1.0 - s)) * (1.0 + s * (double(n) + (line ? 8.0 : 35.0 / 3) * s));
     }
     template <class T>
     static constexpr T f(const T& q) {
         const T s = 0.5 * q;
-        return T((line ? -3.5 : -14.0 / 3) * power<n - 1>(positive_part(T(1.0 - s))) *
-                 (1.0 + (line ? 4.0 : 5.0) * s));
+        return (line ? -3.5 : -14.0 / 3) * power<n - 1>(positive_part(1.0 - s)) *
+               (1.0 + (line ? 4.0 : 5.0) * s);
     }
     template <class T>
     static constexpr T d2w(const T& q) {
         const T s = 0.5 * q;
-        return T((line ? -3.5 : -14.0 / 3) * power<n - 2>(positive_part(T(1.0 - s))) *
-                 (1.0 + s * ((line ? 3.0 : 4.0) - (line ? 24.0 : 35.0) * s)));
+        return (line ? -3.5 : -14.0 / 3) * power<n - 2>(positive_part(1.0 - s)) *
+               (1.0 + s * ((line ? 3.0 : 4.0) - (line ? 24.0 : 35.0) * s));
     }
 };
 
@@ -97,20 +97,20 @@ struct WendlandC6 : Kernel<WendlandC6<d>, d> {
     template <class T>
     static constexpr T w(const T& q) {
         const T s = 0.5 * q;
-        return T(power<n>(positive_part(T(1.0 - s))) *
-                 (1.0 + s * (double(n) + s * ((line ? 19.0 : 25.0) + (line ? 21.0 : 32.0) * s))));
+        return power<n>(positive_part(1.0 - s)) *
+               (1.0 + s * (double(n) + s * ((line ? 19.0 : 25.0) + (line ? 21.0 : 32.0) * s)));
     }
     template <class T>
     static constexpr T f(const T& q) {
         const T s = 0.5 * q;
-        return T((line ? -4.5 : -5.5) * power<n - 1>(positive_part(T(1.0 - s))) *
-                 (1.0 + s * ((line ? 6.0 : 7.0) + (line ? 35.0 / 3 : 16.0) * s)));
+        return (line ? -4.5 : -5.5) * power<n - 1>(positive_part(1.0 - s)) *
+               (1.0 + s * ((line ? 6.0 : 7.0) + (line ? 35.0 / 3 : 16.0) * s));
     }
     template <class T>
     static constexpr T d2w(const T& q) {
         const T s = 0.5 * q;
-        return T((line ? -4.5 : -5.5) * power<n - 2>(positive_part(T(1.0 - s))) *
-                 (1.0 + s * ((line ? 5.0 : 6.0) - s * ((line ? 13.0 : 15.0) + (line ? 105.0 : 160.0) * s))));
+        return (line ? -4.5 : -5.5) * power<n - 2>(positive_part(1.0 - s)) *
+               (1.0 + s * ((line ? 5.0 : 6.0) - s * ((line ? 13.0 : 15.0) + (line ? 105.0 : 160.0) * s)));
     }
 };
 

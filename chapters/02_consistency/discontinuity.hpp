@@ -50,8 +50,7 @@ struct BeyondJump {
         const bool left = i.x[0] < jump.at;
         const Tile x_j = i.x[0] - pair.x_ij[0];
         // A particle at the jump belongs to the right.
-        const Tile V =
-            left ? Tile((x_j >= jump.at).select(j.V, 0.0)) : Tile((x_j < jump.at).select(j.V, 0.0));
+        const Tile V = (left ? x_j >= jump.at : x_j < jump.at).select(j.V, 0.0);
         const Tile VFx = V * pair.F * pair.x_ij[0];
         sum.beyond[0] += V * pair.W;
         sum.beyond[1] += VFx;
@@ -63,9 +62,9 @@ struct BeyondJump {
 
 /// A_i = (sum_j V_j A_j W_ij - (A_k - A_i) sum_(beyond) V_j W_ij) / sum_j V_j W_ij
 /// A_x,i = (sum_j V_j (A_j - A_i) W_x - (A_k - A_i) C) / (sum_j V_j (x_j - x_i) W_x - (x_k - x_i) C),
-///     C = sum_(beyond) V_j W_x: CSPM's value and slope (Chen 2017, 92, 94) without the jump, with one slope
-///     on both
-/// sides of it. Exact for a line with a jump. To be listed with BeyondJump, whose sums it needs.
+///     C = sum_(beyond) V_j W_x:
+/// CSPM's value and slope (Chen 2017, 92, 94) without the jump, with one slope on both sides of it. Exact for
+/// a line with a jump. To be listed with BeyondJump, whose sums it needs.
 struct DiscontinuousFit {
     static constexpr std::string_view name = "value and slope beside a jump";
     template <class T, int>

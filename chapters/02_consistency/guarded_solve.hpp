@@ -1,5 +1,5 @@
 #pragma once
-#include "common/core/vec.hpp"
+#include "common/core/dense.hpp"
 
 /// The small linear systems of corrected sums, M g = b: M is a sum of w x x^T with weights w >= 0, so it is
 /// symmetric and its eigenvalues say how far the neighbours extend along each axis. Where one of them is
@@ -7,21 +7,18 @@
 /// all in one place. All for d = 1, 2, 3.
 namespace sph {
 
+/// M^-1 b along those axes of a symmetric M whose eigenvalue is at least `least` > 0, and nothing along the
+/// others.
 template <int d>
-using Tensor = Vec<Vec<double, d>, d>;
-
-/// M^-1 b by Cramer's rule, whatever M is.
-template <int d>
-Vector<d> inverse_times(const Tensor<d>& M, const Vector<d>& b);
-
-/// The smallest and the largest eigenvalue of a symmetric M.
-template <int d>
-Vector<2> extreme_eigenvalues(const Tensor<d>& M);
-
-/// M^-1 b along those eigenvectors of a symmetric M whose eigenvalue is at least `least` > 0, and nothing
-/// along the others.
-template <int d>
-Vector<d> guarded_inverse_times(const Tensor<d>& M, const Vector<d>& b, double least);
+Vector<d> guarded_inverse_times(const Tensor<d>& M, const Vector<d>& b, double least) {
+    if (extreme_eigenvalues<d>(M)[0] >= least) return inverse_times<d>(M, b);
+    const Axes<d> axes = axes_of<d>(M);
+    Vector<d> g{};
+    for (std::size_t k = 0; k < d; ++k) {
+        if (axes.value[k] >= least) g += (dot(axes.direction[k], b) / axes.value[k]) * axes.direction[k];
+    }
+    return g;
+}
 
 /// The naive way. Divides by zero where the neighbours do not determine the slope, and amplifies what they do
 /// not know where they nearly do not.

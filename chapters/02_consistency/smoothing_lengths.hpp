@@ -7,12 +7,12 @@
 /// the two h of a pair become one kernel (Chen 2017, section 1.6.3).
 namespace sph {
 
-/// h = eta (m/<rho>)^(1/d), <rho> the mean of the particles' densities   (Chen 2017, 59, where the mass is
-/// missing) `rho`: at least one, all > 0; m > 0; eta > 0 is h in mean spacings.
-inline double mean_density_h(const Column& rho, double m, double eta, int d) {
+/// h = h_over_dx (m/<rho>)^(1/d), <rho> the mean of the particles' densities   (Chen 2017, 59, where the mass
+/// is missing and h_over_dx is called eta). `rho`: at least one, all > 0; m > 0; h_over_dx > 0.
+inline double mean_density_h(const Column& rho, double m, double h_over_dx, int d) {
     double mean = 0;
     for (const double value : rho) mean += value / static_cast<double>(rho.size());
-    return eta * std::pow(m / mean, 1.0 / d);
+    return h_over_dx * std::pow(m / mean, 1.0 / d);
 }
 
 /// W(r, h_i): each particle gathers with its own h. Not symmetric: i may see j unseen, and forces do not
@@ -20,9 +20,10 @@ inline double mean_density_h(const Column& rho, double m, double eta, int d) {
 template <class K>
 struct OwnH {
     using ReadsI = List<SmoothingLength>;
+    [[no_unique_address]] K kernel{};
     template <int d>
     Pair<d, double> pair(const auto& i, const auto&, const Vec<Tile, d>& x_ij) const {
-        return ConstantH<K>{i.h}.pair(i, i, x_ij);
+        return ConstantH<K>{i.h, kernel}.pair(i, i, x_ij);
     }
 };
 
@@ -30,10 +31,11 @@ struct OwnH {
 template <class K>
 struct MeanH {
     using Reads = List<SmoothingLength>;
+    [[no_unique_address]] K kernel{};
     template <int d>
     Pair<d, Tile> pair(const auto& i, const auto& j, const Vec<Tile, d>& x_ij) const {
         const Tile r = dot(x_ij, x_ij).sqrt(), h = 0.5 * (i.h + j.h);
-        return {x_ij, r, K::W(r, h), K::F(r, h), K::d2W_dr2(r, h), h};
+        return {x_ij, r, kernel.W(r, h), kernel.F(r, h), kernel.d2W_dr2(r, h), h};
     }
 };
 
@@ -41,14 +43,15 @@ struct MeanH {
 template <class K>
 struct MeanKernel {
     using Reads = List<SmoothingLength>;
+    [[no_unique_address]] K kernel{};
     template <int d>
     Pair<d, Tile> pair(const auto& i, const auto& j, const Vec<Tile, d>& x_ij) const {
         const Tile r = dot(x_ij, x_ij).sqrt();
         return {x_ij,
                 r,
-                0.5 * (K::W(r, i.h) + K::W(r, j.h)),
-                0.5 * (K::F(r, i.h) + K::F(r, j.h)),
-                0.5 * (K::d2W_dr2(r, i.h) + K::d2W_dr2(r, j.h)),
+                0.5 * (kernel.W(r, i.h) + kernel.W(r, j.h)),
+                0.5 * (kernel.F(r, i.h) + kernel.F(r, j.h)),
+                0.5 * (kernel.d2W_dr2(r, i.h) + kernel.d2W_dr2(r, j.h)),
                 0.5 * (i.h + j.h)};
     }
 };

@@ -1,17 +1,33 @@
 // Chapter 3. Euler SPH: how does interpolation become dynamics that conserve momentum and energy?
 // Figures: renders/03_euler_sph/. Text: README.md.
-#include "chapters/03_euler_sph/figures/figures.hpp"
+#include "chapters/03_euler_sph/scenes/dispersion.hpp"
+#include "chapters/03_euler_sph/scenes/rarefaction.hpp"
+#include "chapters/03_euler_sph/scenes/star.hpp"
+#include "chapters/03_euler_sph/scenes/wave.hpp"
 #include "revision.hpp"
+
+namespace sph::euler {  // figures/, each in a file of its name
+void forms(report::Run& run);
+void wave(report::Run& run);
+void dispersion_figure(report::Run& run);
+void reversal(report::Run& run);
+void energy(report::Run& run);
+void rarefaction(report::Run& run);
+void star_modes(report::Run& run);
+void star_nonlinear(report::Run& run);
+void disc(report::Run& run);
+void necklace(report::Run& run);
+void patch(report::Run& run);
+void hard_case(report::Run& run);
+void cost(report::Run& run);
+void cost_of_effects(report::Run& run);
+}  // namespace sph::euler
 
 int main(int argc, char** argv) {
     using namespace sph::euler;
-    using report::Run;
     report::Chapter chapter{"03_euler_sph",
                             "How does interpolation become dynamics that conserve momentum and energy?",
                             source_revision};
-    Options options;
-    options.declare(chapter.options());
-
     chapter.figure("forms", "what each form of the equations conserves", forms)
         .figure("wave", "a standing sound wave: error against N for each rule of h", wave)
         .figure("dispersion", "sound waves of every length: the formula, and simulations", dispersion_figure)
@@ -25,15 +41,15 @@ int main(int argc, char** argv) {
         .figure("patch", "a square of liquid, distorted by its own motion", patch)
         .figure("hard-case", "hard cases: a star that walks away, and constant h where density vanishes",
                 hard_case)
-        .figure("cost", "error against CPU time, beside a Lagrangian grid", cost)
-        .figure("cost-of-effects", "what each listed effect adds to the cost of a pair", cost_of_effects)
+        .timed_figure("cost", "error against CPU time, beside a Lagrangian grid", cost)
+        .timed_figure("cost-of-effects", "what each listed effect adds to the cost of a pair",
+                      cost_of_effects)
         .scene("dispersion", "CSV of omega^2 for your kernel, h, gamma and wave numbers, on standard output",
-               [&](Run& run) { dispersion_scene(run, options); })
-        .scene("wave", "a standing wave with your resolution, kernel, h and N",
-               [&](Run& run) { wave_scene(run, options); })
+               DispersionCommand{})
+        .scene("wave", "a standing wave with your resolution, kernel, h and N", WaveCommand{})
         .scene("star", "a nonlinear toy star with your gamma, amplitude, spacing and resolution",
-               [&](Run& run) { star_scene(run, options); })
+               StarCommand{})
         .scene("rarefaction", "expansion into the vacuum with your gamma, resolution and N",
-               [&](Run& run) { rarefaction_scene(run, options); });
+               RarefactionCommand{});
     return chapter.main(argc, argv);
 }

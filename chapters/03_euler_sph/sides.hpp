@@ -16,10 +16,11 @@ struct SidedPair {
 template <class K>
 struct BothH {
     using Reads = List<SmoothingLength>;
+    [[no_unique_address]] K kernel{};
     template <int d>
     SidedPair<d> pair(const auto& i, const auto& j, const Vec<Tile, d>& x_ij) const {
         const Tile r = dot(x_ij, x_ij).sqrt();
-        return {x_ij, r, K::F(r, i.h), K::F(r, j.h)};
+        return {x_ij, r, kernel.F(r, i.h), kernel.F(r, j.h)};
     }
 };
 

@@ -12,6 +12,7 @@ struct NoConduction {};
 template <class Speed>
 struct Conduction {
     Speed speed;
+    static auto parts(auto& self) { return std::tie(self.speed); }
     using Reads = Union<List<ThermalEnergy, Density>, typename Speed::Reads>;
     using ReadsJ = List<Mass>;
     using Adds = List<Heating>;
@@ -25,6 +26,11 @@ struct Conduction {
 /// energy (8.18-8.20) does to u   (8.23)
 struct SignalSpeed {
     double K = 0.5, beta = 4;
+    static constexpr auto knobs() {
+        return std::tuple{
+            Knob{"K", &SignalSpeed::K, {0, 5}, "strength of the conduction"},
+            Knob{"beta", &SignalSpeed::beta, {0, 20}, "part of the closing speed in the signal"}};
+    }
     using Reads = List<MiddleVelocity, SoundSpeed>;
     Tile of(const auto& i, const auto& j, const auto& pair) const {
         const Tile approach = closing_speed(i.v_mid - j.v_mid, pair).min(0.0);

@@ -1,5 +1,9 @@
 #pragma once
-#include "chapters/03_euler_sph/gas.hpp"
+#include <algorithm>
+
+#include "chapters/03_euler_sph/energy.hpp"
+#include "chapters/03_euler_sph/forces.hpp"
+#include "common/core/knobs.hpp"
 
 /// Dissipation as a pair effect. A viscosity is a small type that gives the viscous pressure term Pi_ij of a
 /// pair (Monaghan 2005, 8.2); what it does to velocity and to thermal energy is the same for all of them.

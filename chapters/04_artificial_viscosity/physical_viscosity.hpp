@@ -8,6 +8,11 @@
 /// motion.
 namespace sph {
 
+template <class T>
+constexpr Knob<T> nu_knob(double T::*nu) {
+    return {"nu", nu, {0, 1e6}, "kinematic viscosity [length^2/time]"};
+}
+
 /// factor nu/min(h_i, h_j)^2: the rate [1/time] at which viscosity evens out velocities between neighbours.
 /// The step is courant over the largest of these and of SignalRate. Tested: with courant = 0.3 the factors
 /// below hold, twice that is too much for the pairwise form.
@@ -26,6 +31,7 @@ Tile viscous_rate(double factor, double nu, const auto& i, const auto& j, const 
 /// 0.01 of the review costs 2 % of the viscosity, 1e-4 nothing that can be measured. nu >= 0 [length^2/time].
 struct PairwiseViscosity {
     double nu = 0, coefficient = 16, epsilon = 1e-4;
+    static constexpr auto knobs() { return std::tuple{nu_knob(&PairwiseViscosity::nu)}; }
     using Reads = List<MiddleVelocity, Density, SmoothingLength>;
     Tile pressure(const auto& i, const auto& j, const auto& pair) const {
         const Tile h = 0.5 * (i.h + j.h);
@@ -59,6 +65,7 @@ struct ViscousStress {
 /// which a plane flow uses two. nu >= 0 [length^2/time].
 struct StressDetector {
     double nu = 0;
+    static constexpr auto knobs() { return std::tuple{nu_knob(&StressDetector::nu)}; }
     using Columns = List<VelocityGradient, ViscousStress>;
     using Slopes = List<VelocityGradient>;
     template <class P>
@@ -78,6 +85,7 @@ struct StressDetector {
 /// The force and the heat of a stress that StressDetector has left; nu only for the step.
 struct StressViscosity {
     double nu = 0;
+    static constexpr auto knobs() { return std::tuple{nu_knob(&StressViscosity::nu)}; }
 };
 /// tau . x
 template <class T, int d>

@@ -14,7 +14,7 @@ inline Tile common_slope(const Tile& a, const Tile& b) {
 }
 
 /// The signal viscosity for the velocities that both particles' slopes predict half-way between them: what is
-/// left of v_ij is a jump, and where the flow is smooth almost nothing is left. (Frontiere, Raskin & Owen
+/// left of v_ij is a jump. (Frontiere, Raskin & Owen
 /// 2017, J. Comput. Phys. 332, 160, section 2.4; Rosswog 2020, MNRAS 498, 4230, section 2.3.)
 ///     w = v_ij . n - r s, n = x_ij/r, s = 2 g_i g_j/(g_i + g_j) for g_i g_j > 0 and else 0, g = n . grad v .
 ///     n
@@ -25,6 +25,7 @@ inline Tile common_slope(const Tile& a, const Tile& b) {
 /// (gamma near 1) falls onto itself in a profile that is linear, and nothing resists.
 struct ReconstructedViscosity {
     SignalViscosity signal;
+    static auto parts(auto& self) { return std::tie(self.signal); }
     using Reads = Union<SignalViscosity::Reads, List<VelocityGradient>>;
     Tile pressure(const auto& i, const auto& j, const auto& pair) const {
         const Tile r2 = (pair.r * pair.r).max(std::numeric_limits<double>::min());
@@ -48,12 +49,16 @@ struct ReconstructedViscosity {
 /// smooth waves alone; and cold gas that a shock has not reached yet conducts nothing.
 struct ContactSpeed {
     double alpha_u = 1, cap = 0.2;
+    static constexpr auto knobs() {
+        return std::tuple{Knob{"alpha-u", &ContactSpeed::alpha_u, {0, 10}, "strength of the conduction"},
+                          Knob{"cap", &ContactSpeed::cap, {0, 2}, "its largest speed in speeds of sound"}};
+    }
     using Reads = List<Pressure, Density, SoundSpeed, PressureGradient>;
     Tile of(const auto& i, const auto& j, const auto& pair) const {
         const Tile slope = common_slope(dot(i.dp_dx, pair.x_ij), dot(j.dp_dx, pair.x_ij));
         const Tile jump = ((i.p - j.p) - slope).abs();
         const Tile v_u = alpha_u * (jump / (0.5 * (i.rho + j.rho))).sqrt();
-        return v_u.min(Tile(cap * j.c_s.min(i.c_s)));
+        return v_u.min(cap * j.c_s.min(i.c_s));
     }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "chapters/02_consistency/guarded_solve.hpp"
-#include "chapters/04_artificial_viscosity/conduction.hpp"
+#include "chapters/03_euler_sph/resolution.hpp"
+#include "chapters/04_artificial_viscosity/dissipation.hpp"
 
 /// Gradients that are exact for linear functions, for detectors of shocks and for reconstruction: chapter 2's
 /// corrected gradient (corrected.hpp), with V = m/rho and each particle's own h,
@@ -21,32 +22,45 @@ struct SlopeMatrix {
     }
 };
 
-/// S of the column Quantity, kept in the column Self; a vector has one row a component.
-template <class Self, class Quantity>
-struct SlopeOf {
+/// S of the column Quantity; a vector has one row a component.
+template <class Quantity>
+struct SlopeSum {
+    static constexpr std::string_view name = "sum for a gradient";
+    template <class T, int d>
+    static auto& value(auto& row) {
+        return member<Quantity, T, d>(row);
+    }
+    template <class T, int d>
+    struct In {
+        using Value =
+            std::decay_t<decltype(value<T, d>(std::declval<typename Quantity::template In<T, d>&>()))>;
+        std::conditional_t<IsVec<Value>::value, Vec<Vec<T, d>, d>, Vec<T, d>> S{};
+    };
     using Reads = List<Quantity>;
     using ReadsJ = List<Mass, Density>;
-    using Adds = List<Self>;
+    using Adds = List<SlopeSum>;
     void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
         constexpr int d = static_cast<int>(std::decay_t<decltype(pair.x_ij)>::size());
-        const auto& f_i = member<Quantity, double, d>(i);
-        const auto& f_j = member<Quantity, Tile, d>(j);
+        const auto change = value<double, d>(i) - value<Tile, d>(j);
         const Tile weight = j.m / j.rho * F_i(pair);
-        if constexpr (IsVec<std::decay_t<decltype(f_i)>>::value) {
-            member<Self, Tile, d>(sum) -= outer(weight * (f_i - f_j), pair.x_ij);
+        auto& S = member<SlopeSum, Tile, d>(sum);
+        if constexpr (IsVec<std::decay_t<decltype(change)>>::value) {
+            S -= outer(weight * change, pair.x_ij);
         } else {
-            member<Self, Tile, d>(sum) -= (weight * (f_i - f_j)) * pair.x_ij;
+            S -= (weight * change) * pair.x_ij;
         }
     }
 };
-/// M^-1 S of the column Slope, kept in the column Self.
-template <class Self, class Slope>
-struct GradientFrom {
-    using Uses = List<SlopeMatrix, Slope>;
+
+/// M^-1 S of the column Quantity, kept in the column Self. Of: what the particles of a fluid count (OfMass).
+template <class Self, class Quantity, class Of = OfMass>
+struct GradientOf {
+    using Uses =
+        List<typename Of::template Counted<SlopeMatrix>, typename Of::template Counted<SlopeSum<Quantity>>>;
     using Writes = List<Self>;
     void finish(const auto&, const auto& sum, auto& out) const {
         constexpr int d = static_cast<int>(sum.M.size());
-        const auto& S = member<Slope, double, d>(sum);
+        const auto& S = member<SlopeSum<Quantity>, double, d>(sum);
         auto& gradient = member<Self, double, d>(out);
         if constexpr (std::is_same_v<std::decay_t<decltype(S)>, Vector<d>>) {
             gradient = GuardedSolve{}(sum.M, S, 1.0);
@@ -56,47 +70,24 @@ struct GradientFrom {
     }
 };
 
-struct VelocitySlope : SlopeOf<VelocitySlope, MiddleVelocity> {
-    static constexpr std::string_view name = "sum for the gradient of velocity";
-    template <class T, int d>
-    struct In {
-        Vec<Vec<T, d>, d> S_v{};
-    };
-};
 /// (grad v)_ab = dv_a/dx_b of the velocity in the middle of the step   [1/time].
-struct VelocityGradient : GradientFrom<VelocityGradient, VelocitySlope> {
+struct VelocityGradient : GradientOf<VelocityGradient, MiddleVelocity> {
     static constexpr std::string_view name = "gradient of velocity";
     template <class T, int d>
     struct In {
         Vec<Vec<T, d>, d> dv_dx{};
     };
 };
-
-struct EnergySlope : SlopeOf<EnergySlope, ThermalEnergy> {
-    static constexpr std::string_view name = "sum for the gradient of thermal energy";
-    template <class T, int d>
-    struct In {
-        Vec<T, d> S_u{};
-    };
-};
 /// grad u   [energy by mass/length].
-struct EnergyGradient : GradientFrom<EnergyGradient, EnergySlope> {
+struct EnergyGradient : GradientOf<EnergyGradient, ThermalEnergy> {
     static constexpr std::string_view name = "gradient of thermal energy";
     template <class T, int d>
     struct In {
         Vec<T, d> du_dx{};
     };
 };
-
-struct PressureSlope : SlopeOf<PressureSlope, Pressure> {
-    static constexpr std::string_view name = "sum for the gradient of pressure";
-    template <class T, int d>
-    struct In {
-        Vec<T, d> S_p{};
-    };
-};
 /// grad P   [pressure/length].
-struct PressureGradient : GradientFrom<PressureGradient, PressureSlope> {
+struct PressureGradient : GradientOf<PressureGradient, Pressure> {
     static constexpr std::string_view name = "gradient of pressure";
     template <class T, int d>
     struct In {

@@ -5,8 +5,8 @@
 #include "chapters/04_artificial_viscosity/reconstruction.hpp"
 
 /// Where is the shock? Detectors look at the flow once a step, and leave what viscosities and conduction
-/// read. A detector has Columns; Slopes, the gradients that it needs; and, where it has something to compute,
-/// measure(particles) after these, and evolve(particles, dt) at the end of a step.
+/// read. A detector has Columns; Slopes, the gradients that it needs; and, where it has something to do,
+/// start(particles), measure(particles) after the gradients, and evolve(particles, dt) at a step's end.
 namespace sph {
 
 /// Looks at nothing.
@@ -26,6 +26,10 @@ struct FlowSlopes {
 /// formulas; these are the classical ones.
 struct BulkDetector {
     double a = 2, b = 0;
+    static constexpr auto knobs() {
+        return std::tuple{Knob{"a", &BulkDetector::a, {0, 10}, "von Neumann and Richtmyer's factor"},
+                          Knob{"b", &BulkDetector::b, {0, 10}, "factor of the bulk viscosity"}};
+    }
     using Columns = List<VelocityGradient, ViscousPressure>;
     using Slopes = List<VelocityGradient>;
     template <class P>
@@ -52,8 +56,13 @@ struct ViscosityAlpha {
 /// 2005, 8.27 and 8.28, Morris & Monaghan 1997): as many steps late as the source needs to act.
 struct MorrisMonaghan {
     double alpha_0 = 0.1, decay = 0.2;
+    static constexpr auto knobs() {
+        return std::tuple{Knob{"alpha-0", &MorrisMonaghan::alpha_0, {0, 10}, "strength far from a shock"},
+                          Knob{"decay", &MorrisMonaghan::decay, {0, 10, true}, "speed of its decay [c_s/h]"}};
+    }
     using Columns = List<VelocityGradient, ViscosityAlpha>;
     using Slopes = List<VelocityGradient>;
+    void start(auto& p) const { p.alpha.assign(p.size(), alpha_0); }
     template <class P>
     void evolve(P& p, double dt) const {
         for (std::size_t i = 0; i < p.size(); ++i) {
@@ -70,8 +79,10 @@ struct MorrisMonaghan {
 /// Cambridge; Monaghan 2005, after 8.28).
 struct PriceSwitch {
     MorrisMonaghan viscosity{};
+    static auto parts(auto& self) { return std::tie(self.viscosity); }
     using Columns = List<VelocityGradient, ViscosityAlpha, EnergyGradient, ConductionAlpha>;
     using Slopes = List<VelocityGradient, EnergyGradient>;
+    void start(auto& p) const { viscosity.start(p); }
     template <class P>
     void evolve(P& p, double dt) const {
         viscosity.evolve(p, dt);

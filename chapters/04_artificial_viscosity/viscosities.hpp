@@ -30,6 +30,11 @@ struct BulkPressure {
 /// 1992).
 struct AlphaBeta {
     double alpha = 1, beta = 2, epsilon = 0.01;
+    static constexpr auto knobs() {
+        return std::tuple{Knob{"alpha", &AlphaBeta::alpha, {0, 10}, "strength of the linear term"},
+                          Knob{"beta", &AlphaBeta::beta, {0, 20}, "strength of the quadratic term"},
+                          Knob{"epsilon", &AlphaBeta::epsilon, {0, 1, true}, "keeps near pairs finite"}};
+    }
     using Reads = List<MiddleVelocity, SoundSpeed, Density, SmoothingLength>;
     Tile pressure(const auto& i, const auto& j, const auto& pair) const {
         const Tile h = 0.5 * (i.h + j.h);
@@ -43,6 +48,10 @@ struct AlphaBeta {
 /// K = 0.5 and beta = 4 correspond to alpha = 1 and 2 of (8.10), without its epsilon.
 struct SignalViscosity {
     double K = 0.5, beta = 4;
+    static constexpr auto knobs() {
+        return std::tuple{Knob{"K", &SignalViscosity::K, {0, 5}, "strength of the viscosity"},
+                          Knob{"beta", &SignalViscosity::beta, {0, 20}, "strength of the quadratic term"}};
+    }
     using Reads = List<MiddleVelocity, SoundSpeed, Density>;
     Tile pressure(const auto& i, const auto& j, const auto& pair) const {
         return of(closing_speed(i.v_mid - j.v_mid, pair), i, j);
@@ -59,6 +68,7 @@ struct SignalViscosity {
 template <class Viscosity, class Factor>
 struct Scaled {
     Viscosity viscosity;
+    static auto parts(auto& self) { return std::tie(self.viscosity); }
     using Reads = Union<typename Viscosity::Reads, List<Factor>>;
     Tile pressure(const auto& i, const auto& j, const auto& pair) const {
         return 0.5 * (Factor::of(i) + Factor::of(j)) * viscosity.pressure(i, j, pair);

@@ -3,13 +3,13 @@
 #include <cmath>
 
 /// An ideal gas of baryons, P = (gamma - 1) n u, h = 1 + gamma u, in the frame of the laboratory
-/// (Monaghan 2005, 12.2, 12.5; Chow & Monaghan 1997). Per baryon, with the number density N = n lorentz,
-///     q = h lorentz v,   E = h lorentz - P/N    (momentum and energy, rest mass included).
+/// (Monaghan 2005, 12.2, 12.5; Chow & Monaghan 1997). Per baryon, with the lab density n* = n lorentz,
+///     q = h lorentz v,   E = h lorentz - P/n*    (momentum and energy, rest mass included).
 namespace sph {
 
-/// What a particle's q, E and N say about it.
+/// What a particle's q, E and n* say about it.
 struct BaryonState {
-    double four_velocity = 0, lorentz = 1, v = 0;
+    double U = 0, lorentz = 1, v = 0;  // U = lorentz v
     double u = 0, p = 0, h = 1, c_s = 0;
     bool sound = false;  ///< false: q and E belong to no gas with u > 0, and the rest means nothing
 };
@@ -23,19 +23,20 @@ inline MomentumEnergy momentum_energy(double n, double v, double p, double gamma
     return {h * lorentz * v, h * lorentz - p / (n * lorentz)};
 }
 
-/// Solves for the share P/N of the energy: with Z = E + P/N = h lorentz and v = q/Z,
-///     f(P/N) = (gamma - 1) u/lorentz - P/N = 0,   f' = v^2 c_s^2 - 1 < 0,
+/// Solves for the share P/n* of the energy: with Z = E + P/n* = h lorentz and v = q/Z,
+///     f(P/n*) = (gamma - 1) u/lorentz - P/n* = 0,   f' = v^2 c_s^2 - 1 < 0,
 /// by Newton's method in the bracket (0, (gamma - 1) E). There is a root if E > sqrt(1 + q^2), the energy of
 /// cold gas. The Lorentz factor comes with a relative error of about 1e-16 lorentz^2, as E - |q| has lost
 /// these digits: the price of evolving E, which recovery.hpp does not pay.
 /// `guess` of p, 0 if there is none. Cost: 3 to 6 evaluations.
-inline BaryonState recover_baryons(double q, double E, double N, double gamma, double guess = 0) {
+inline BaryonState recover_baryons(double q, double E, double n_star, double gamma, double guess = 0) {
     constexpr int most = 100;
     constexpr double close = 1e-12;
     BaryonState state;
     const double momentum = std::abs(q);
-    if (!((E - momentum) * (E + momentum) > 1 && N > 0 && std::isfinite(E) && std::isfinite(N))) return state;
-    double low = 0, high = (gamma - 1) * E, share = guess / N;
+    if (!((E - momentum) * (E + momentum) > 1 && n_star > 0 && std::isfinite(E) && std::isfinite(n_star)))
+        return state;
+    double low = 0, high = (gamma - 1) * E, share = guess / n_star;
     if (!(share > low && share < high)) share = 0.5 * std::min(high, (gamma - 1) * (E - momentum));
     for (int k = 0; k < most; ++k) {
         const double Z = E + share, v = momentum / Z, lorentz = 1 / std::sqrt((1 - v) * (1 + v));
@@ -53,10 +54,10 @@ inline BaryonState recover_baryons(double q, double E, double N, double gamma, d
     const double Z = E + share, v = momentum / Z;
     state.lorentz = 1 / std::sqrt((1 - v) * (1 + v));
     state.v = q / Z;
-    state.four_velocity = state.lorentz * state.v;
+    state.U = state.lorentz * state.v;
     state.h = Z / state.lorentz;
     state.u = (state.h - 1) / gamma;
-    state.p = share * N;
+    state.p = share * n_star;
     state.c_s = std::sqrt(gamma * (gamma - 1) * std::max(state.u, 0.0) / state.h);
     state.sound = state.u > 0 && state.p > 0 && std::isfinite(state.lorentz);
     return state;

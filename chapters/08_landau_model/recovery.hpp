@@ -6,17 +6,17 @@
 /// From what evolves to what moves: the velocity of a particle whose momentum is known.
 namespace sph {
 
-/// What a recovery of the velocity gives: u = lorentz v, and how many evaluations of w it took.
+/// What a recovery of the velocity gives: U = lorentz v, and how many evaluations of w it took.
 struct Recovered {
-    double u = 0;
+    double U = 0;
     int evaluations = 0;
-    double lorentz() const { return std::sqrt(1 + u * u); }
-    double velocity() const { return u / lorentz(); }
+    double lorentz() const { return std::sqrt(1 + U * U); }
+    double velocity() const { return U / lorentz(); }
 };
 
-/// The root u of  f(u) = u w(n_star/sqrt(1 + u^2)) - q = 0,  the momentum per charge of (220), (237) with
-/// w = (eps + P)/n and n = n_star/lorentz. f increases, u f'/(u w) = 1 - c_s^2 v^2 being above 1 - c_s^2, so
-/// there is one root; it is the four-velocity u, not v, that is looked for, since v near 1 has lost the
+/// The root U of  f(U) = U w(n_star/sqrt(1 + U^2)) - q = 0,  the momentum per charge of (220), (237) with
+/// w = (eps + P)/n and n = n_star/lorentz. f increases, U f'/(U w) = 1 - c_s^2 v^2 being above 1 - c_s^2, so
+/// there is one root; it is the four-velocity U, not v, that is looked for, since v near 1 has lost the
 /// digits of 1 - v. Newton's method from `guess` (0: from q/w(n_star)), in a bracket that closes around it;
 /// it ends with a relative step below 1e-9, whose square is what is left. q: any finite number; n_star > 0;
 /// Fluid: fluids.hpp. Throws std::domain_error for others. Cost: 3 to 7 evaluations of w from lorentz 1 to
@@ -31,19 +31,19 @@ Recovered recover(double q, double n_star, const Fluid& fluid, double guess = 0)
     const double wanted = std::abs(q);
     double low = 0, high = std::numeric_limits<double>::infinity();
     Recovered result{std::abs(guess), 0};
-    if (!(result.u > 0 && q * guess > 0)) result = {wanted / fluid.enthalpy(n_star), 1};
+    if (!(result.U > 0 && q * guess > 0)) result = {wanted / fluid.enthalpy(n_star), 1};
     for (; result.evaluations < most; ++result.evaluations) {
-        const double u = result.u, lorentz = result.lorentz(), n = n_star / lorentz;
-        const double found = u * fluid.enthalpy(n), v = u / lorentz;
-        (found < wanted ? low : high) = u;
+        const double U = result.U, lorentz = result.lorentz(), n = n_star / lorentz;
+        const double found = U * fluid.enthalpy(n), v = U / lorentz;
+        (found < wanted ? low : high) = U;
         const double step = (wanted / found - 1) / (1 - fluid.sound_speed_squared(n) * v * v);
-        double next = u * (1 + step);
+        double next = U * (1 + step);
         const bool found_it = std::abs(step) < close;
-        if (!found_it && !(next > low && next < high)) next = std::isinf(high) ? 2 * u : 0.5 * (low + high);
-        result.u = next;
-        if (found_it || next == u) break;
+        if (!found_it && !(next > low && next < high)) next = std::isinf(high) ? 2 * U : 0.5 * (low + high);
+        result.U = next;
+        if (found_it || next == U) break;
     }
-    result.u = std::copysign(result.u, q);
+    result.U = std::copysign(result.U, q);
     return result;
 }
 
@@ -59,7 +59,7 @@ Recovered recover_by_fixed_point(double q, double n_star, const Fluid& fluid) {
         v = q / (lorentz * fluid.enthalpy(n_star / lorentz));
         ++result.evaluations;
     }
-    result.u = v / std::sqrt((1 - v) * (1 + v));
+    result.U = v / std::sqrt((1 - v) * (1 + v));
     return result;
 }
 
@@ -75,7 +75,7 @@ Recovered recover_by_newton(double q, double n_star, const Fluid& fluid) {
         v += step;
         ++result.evaluations;
     }
-    result.u = v / std::sqrt((1 - v) * (1 + v));
+    result.U = v / std::sqrt((1 - v) * (1 + v));
     return result;
 }
 

@@ -1,194 +1,157 @@
 #pragma once
+#include "chapters/04_artificial_viscosity/dissipative_gas.hpp"
 #include "chapters/08_landau_model/baryon_state.hpp"
 #include "chapters/08_landau_model/relativistic_dissipation.hpp"
 
 /// A relativistic gas of baryons that can pass shocks.
 namespace sph {
 
-/// A way to dissipate: the sums for its slopes, and what its pairs exchange, both as lists of effects.
-struct NoScheme {
-    using Slopes = List<>;
-    Effects<> exchange{};
+/// A way to dissipate: the gradients that it needs, and what pairs exchange, as lists of effects.
+template <class Gradients, class... Exchange>
+struct ExchangeScheme {
+    using Slopes = Gradients;
+    std::tuple<Exchange...> exchange{};
+    static auto parts(auto& self) {
+        return std::apply([](auto&... one) { return std::tie(one...); }, self.exchange);
+    }
 };
-struct ChowMonaghanScheme {
-    using Slopes = List<>;
-    Effects<ChowMonaghan> exchange{ChowMonaghan{}};
-};
-struct ReconstructedScheme {
-    using Slopes = List<SlopeMatrix, RapiditySlope, RapidityGradient, PressureSlope, PressureGradient>;
-    Effects<ReconstructedExchange, ContactConduction> exchange{ReconstructedExchange{}, ContactConduction{}};
-};
+using NoExchange = ExchangeScheme<List<>>;
+using ChowMonaghanExchange = ExchangeScheme<List<>, ChowMonaghan>;
+using ReconstructedScheme =
+    ExchangeScheme<List<RapidityGradient, LabPressureGradient>, ReconstructedExchange, ContactConduction>;
 
-/// q and E evolve, h and N = sum nu W are solved as in chapter 3, v and P recovered (baryon_state.hpp). Steps
+namespace relativistic_gas_detail {
+template <class Scheme>
+using More = Union<List<MomentumPerCharge, MomentumRate, EnergyPerBaryon, EnergyRate, Density, SoundSpeed,
+                        ThermalEnergy, Enthalpy, Rapidity>,
+                   typename Scheme::Slopes>;
+using Saved = List<Position, Velocity, Pressure, MomentumPerCharge, MomentumRate, EnergyPerBaryon, EnergyRate,
+                   SmoothingLength>;
+}  // namespace relativistic_gas_detail
+
+/// q and E evolve, h and n* = sum m W are solved as in chapter 3, v and P recovered (baryon_state.hpp). Steps
 /// of second order with one evaluation of the forces, in the middle:
-///     x' = x + dt/2 v,  q', E' with the rates of the last middle;   x += dt v',  q += dt dq/dt',  E += dt
-///     dE/dt'.
-/// Totals of q and E stand still to rounding. In one dimension; particles from moving() on keep v, q and E.
-template <class Kernel, class Scheme>
-class RelativisticGas {
+///     x' = x + dt/2 v,  q', E' with the rates of the last middle;
+///     x += dt v',  q += dt dq/dt',  E += dt dE/dt'.
+/// Totals of q and E stand still to rounding. A step is done again with half its length where its middle
+/// would allow less than half of it, or where it leaves a particle without thermal energy. In one dimension.
+template <class Resolution, class Scheme, class Boundary = Free>
+class RelativisticGas : public RateLimited<Resolution, Boundary, relativistic_gas_detail::More<Scheme>,
+                                           relativistic_gas_detail::Saved> {
+    using Base = RateLimited<Resolution, Boundary, relativistic_gas_detail::More<Scheme>,
+                             relativistic_gas_detail::Saved>;
+
   public:
-    static constexpr int d = 1;
-    using P =
-        ParticlesOf<d,
-                    Union<List<Position, Velocity, Momentum, Acceleration, EnergyPerBaryon, EnergyRate, Mass,
-                               Density, Pressure, SoundSpeed, ThermalEnergy, Enthalpy, Rapidity, StepRate>,
-                          typename ConsistentH<Kernel>::Columns, typename Scheme::Slopes>>;
+    using Base::particles;
+    static_assert(Base::d == 1, "velocities are recovered along one axis");
 
-    P particles;
+    RelativisticGas(std::size_t n, Resolution resolution, IdealGas state, Scheme scheme, Boundary boundary,
+                    double courant, int threads)
+        : Base{n, std::move(resolution), std::move(boundary), courant, threads},
+          gamma_{state.gamma},
+          scheme_{std::move(scheme)} {}
 
-    RelativisticGas(std::size_t n, HRule rule, double gamma, int threads)
-        : particles{n}, resolution_{rule, close_}, gamma_{gamma}, neighbours_{Free{}, threads} {}
-
-    /// Density, smoothing length, velocity and pressure at the present state. Throws Unstable at time t.
-    void resolve(double t) {
-        find_density(t);
+    void start(double t) override {
+        auto& p = particles;
+        this->time_ = t;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const double v = p.v[0][i];
+            const MomentumEnergy given = momentum_energy(p.rho[i], v, p.p[i], gamma_);
+            p.n_star[i] = p.rho[i] / std::sqrt((1 - v) * (1 + v));
+            p.q[0][i] = given.q, p.E[i] = given.E;
+        }
+        this->resolution_.start(p);
+    }
+    void resolve(double t) override {
+        this->find_density(t);
         const std::size_t wrong = recover_all();
         if (wrong < particles.size())
-            throw Unstable{t, wrong, EnergyPerBaryon::name.data(), particles.E[wrong]};
+            throw Unstable{t, wrong, std::string{EnergyPerBaryon::name}, particles.E[wrong]};
     }
-    /// Moves on to `end` in steps of `courant` over the largest LabSignalRate, none more than twice the one
-    /// before. A step whose middle would allow less than half of it, or that leaves a particle without
-    /// thermal energy, is done again with half the length, at most 20 times. Calls after_step(t).
-    template <class AfterStep>
-    void advance(double& t, double end, double courant, AfterStep&& after_step);
-
-    /// sum nu E and sum nu q of the moving particles, less what the fixed ones have given: constant but for
-    /// rounding.
-    double energy() const { return total(particles.E) + given_E_; }
-    double momentum() const { return total(particles.q[0]) + given_q_; }
-    Counters& counters() { return neighbours_.counters(); }
-
-  private:
-    static constexpr double close_ = 1e-4;  // conservation does not hang on h: see chapter 4
-    static constexpr int most_retries = 20;
-
-    void find_density(double t);
-    std::size_t recover_all();
-    void sum_rates();
-    bool step(double t, double dt, double courant);
-    double largest_rate() const {
-        return *std::max_element(particles.step_rate.begin(), particles.step_rate.end());
-    }
-    double total(const Column& value) const {
-        double sum = 0;
-        for (std::size_t i = 0; i < particles.moving(); ++i) sum += particles.m[i] * value[i];
+    /// sum m E and sum m q of the free particles, less what the held ones have given.
+    Totals<1> totals() const override {
+        const auto& p = particles;
+        Totals<1> sum = this->given_;
+        p.groups.for_each_free(p.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                sum.mass += p.m[i];
+                sum.momentum[0] += p.m[i] * p.q[0][i];
+                sum.energy += p.m[i] * p.E[i];
+            }
+        });
         return sum;
     }
-    template <class... Slope>
-    void find_slopes(List<Slope...>) {
-        if constexpr (sizeof...(Slope) > 0)
-            sum_over_neighbours(particles, neighbours_, resolution_.smoothing(), Effects{Slope{}...});
-    }
 
-    ConsistentH<Kernel> resolution_;
-    Scheme scheme_{};
+  private:
+    void first_rates(double t) override {
+        resolve(t);
+        sum_rates();
+    }
+    bool advance(double t, double dt) override;
+    std::size_t recover_all();
+    void sum_rates();
+    void move(double dt);
+
     double gamma_;
-    Neighbours<d> neighbours_;
-    bool started_ = false;
-    P start_;
-    double last_dt_ = std::numeric_limits<double>::infinity();
-    double given_q_ = 0, given_E_ = 0;
+    Scheme scheme_;
 };
 
-template <class K, class S>
-void RelativisticGas<K, S>::find_density(double t) {
-    try {
-        resolution_.resolve(particles, neighbours_);
-    } catch (const Unstable& failure) {
-        throw Unstable{t, failure.particle, failure.quantity, failure.value};
-    } catch (const std::invalid_argument&) {  // a position or h that is not a number: say when and whose
-        require_physical(particles, t, typename P::Names{});
-        throw;
-    }
-}
-
 /// The first particle that no state belongs to; how many there are if all are sound.
-template <class K, class S>
-std::size_t RelativisticGas<K, S>::recover_all() {
-    P& p = particles;
+template <class R, class S, class B>
+std::size_t RelativisticGas<R, S, B>::recover_all() {
+    auto& p = particles;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        const BaryonState state = recover_baryons(p.q[0][i], p.E[i], p.rho[i], gamma_, p.p[i]);
+        const BaryonState state = recover_baryons(p.q[0][i], p.E[i], p.n_star[i], gamma_, p.p[i]);
         if (!state.sound) return i;
-        p.v[0][i] = state.v, p.y[i] = std::asinh(state.four_velocity);
+        p.v[0][i] = state.v, p.y[i] = std::asinh(state.U), p.rho[i] = p.n_star[i] / std::cosh(p.y[i]);
         p.p[i] = state.p, p.u[i] = state.u, p.c_s[i] = state.c_s, p.h_enthalpy[i] = state.h;
     }
     return p.size();
 }
 
-template <class K, class S>
-void RelativisticGas<K, S>::sum_rates() {
-    find_slopes(typename S::Slopes{});
+template <class R, class S, class B>
+void RelativisticGas<R, S, B>::sum_rates() {
+    this->sum(typename S::Slopes{});
     std::apply(
         [&](const auto&... exchange) {
-            sum_over_neighbours(particles, neighbours_, resolution_.smoothing(),
-                                Effects{GradHForce{}, GradHWork{}, exchange..., LabSignalRate{}});
+            this->sum(Effects{typename R::Force{}, GradHWork{}, exchange..., LabSignalRate{}});
         },
-        scheme_.exchange.list);
+        scheme_.exchange);
 }
 
-/// One step; false if it must be shorter, and then all is as before.
-template <class K, class S>
-bool RelativisticGas<K, S>::step(double t, double dt, double courant) {
-    P& p = particles;
-    start_ = p;
-    const auto move = [&](double by) {
-        for (std::size_t i = 0; i < p.size(); ++i) p.x[0][i] = start_.x[0][i] + by * p.v[0][i];
-        for (std::size_t i = 0; i < p.moving(); ++i) {
-            p.q[0][i] = start_.q[0][i] + by * p.dv_dt[0][i];
-            p.E[i] = start_.E[i] + by * p.dE_dt[i];
+/// From where the step began, with the present velocities and rates.
+template <class R, class S, class B>
+void RelativisticGas<R, S, B>::move(double dt) {
+    auto& p = particles;
+    const auto& before = this->before_;
+    for (std::size_t i = 0; i < p.size(); ++i) p.x[0][i] = before.x[0][i] + dt * p.v[0][i];
+    p.groups.for_each_free(p.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            p.q[0][i] = before.q[0][i] + dt * p.dq_dt[0][i];
+            p.E[i] = before.E[i] + dt * p.dE_dt[i];
         }
-    };
+    });
+}
+
+template <class R, class S, class B>
+bool RelativisticGas<R, S, B>::advance(double t, double dt) {
+    auto& p = particles;
     move(dt / 2);
-    bool good = true;
-    for (std::size_t i = 0; good && i < p.size(); ++i) good = std::isfinite(p.x[0][i]);
-    if (good) {
-        find_density(t);
-        good = recover_all() == p.size();
-    }
-    if (good) {
-        sum_rates();
-        good = dt * largest_rate() <= 2 * courant;
-    }
-    if (good) {
-        move(dt);
-        good = recover_all() == p.size();
-    }
-    if (!good) {
-        std::swap(p, start_);
-        return false;
-    }
-    for (std::size_t i = p.moving(); i < p.size(); ++i) {
-        given_q_ += dt * p.m[i] * p.dv_dt[0][i];
-        given_E_ += dt * p.m[i] * p.dE_dt[i];
+    const auto finite = [](double x) { return std::isfinite(x); };
+    if (!std::all_of(p.x[0].begin(), p.x[0].end(), finite)) return false;
+    this->find_density(t);
+    if (recover_all() < p.size()) return false;
+    sum_rates();
+    if (this->too_long(dt)) return false;
+    move(dt);
+    if (recover_all() < p.size()) return false;
+    for (const Group& group : p.groups.held()) {
+        for (std::size_t i = group.begin; i < group.end; ++i) {
+            this->given_.momentum[0] += dt * p.m[i] * p.dq_dt[0][i];
+            this->given_.energy += dt * p.m[i] * p.dE_dt[i];
+        }
     }
     return true;
-}
-
-template <class K, class S>
-template <class AfterStep>
-void RelativisticGas<K, S>::advance(double& t, double end, double courant, AfterStep&& after_step) {
-    if (!started_) {
-        resolve(t);
-        sum_rates();
-        started_ = true;
-    }
-    while (t < end) {
-        double dt = std::min(courant / largest_rate(), 2 * last_dt_);
-        const double left = end - t;
-        if (left < 2 * dt) dt = left > dt ? left / 2 : left;
-        for (int retry = 0;; ++retry) {
-            require_time_step(t, dt);
-            if (step(t, dt, courant)) break;
-            if (retry == most_retries)
-                throw Unstable{t, Unstable::no_particle, "the time step after 20 halvings", dt};
-            dt /= 2;
-        }
-        last_dt_ = dt;
-        t = left == dt ? end : t + dt;
-        ++neighbours_.counters().steps;
-        after_step(t);
-    }
-    resolve(t);
 }
 
 }  // namespace sph

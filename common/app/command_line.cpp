@@ -8,6 +8,7 @@
 
 #include "common/app/error.hpp"
 #include "common/app/files.hpp"
+#include "common/app/help_formatter.hpp"
 #include "common/app/option_text.hpp"
 
 namespace app {
@@ -21,27 +22,8 @@ struct Option {
     std::function<void(const std::string&)> read{};
     std::function<std::string()> value{};  // the target's value now, as it would be typed
     std::string default_value{};
-};
-
-/// --help in this project's form: CLI11's own does not wrap lines.
-class HelpFormatter : public CLI::Formatter {
-  public:
-    std::string make_option(const CLI::Option* option, bool) const override {
-        return option_text::entry(option->get_name(false, true) + make_option_opts(option),
-                                  option->get_description());
-    }
-    std::string make_option_opts(const CLI::Option* option) const override {
-        return option->get_option_text().empty() ? "" : " " + option->get_option_text();
-    }
-    std::string make_subcommand(const CLI::App* command) const override {
-        return option_text::entry(command->get_name(), command->get_description());
-    }
-    std::string make_usage(const CLI::App* app, std::string name) const override {
-        return "\nUsage: " + name + (app->get_subcommands({}).empty() ? "" : " COMMAND") + " [options]\n";
-    }
-    std::string make_footer(const CLI::App* app) const override {
-        return app->get_footer().empty() ? "" : app->get_footer() + "\n";
-    }
+    bool foreign = false;  // known, but not taken by this run
+    std::string entry{};   // of --help
 };
 
 void set_up(CLI::App& app) {
@@ -61,11 +43,17 @@ struct CommandLine::Implementation {
     CLI::App* app = nullptr;
     std::vector<Option> options;
     std::vector<std::unique_ptr<CommandLine>> commands;
+    bool foreign = false;  // what is declared next
 
     void add(Option option, const std::string& placeholder, const std::string& description) {
+        if (foreign && find(std::string_view{option.name}.substr(2))) return;
+        option.foreign = foreign;
         option.default_value = option.value();
+        option.entry =
+            option_text::entry(option.name + (placeholder.empty() ? "" : " " + placeholder), description);
         option.words = option.is_flag ? app->add_flag(option.name) : app->add_option(option.name);
         option.words->description(description)->option_text(placeholder);
+        if (foreign) option.words->group("");  // not shown: --help tells who takes it
         option.words->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
         options.push_back(std::move(option));
     }
@@ -99,18 +87,7 @@ void CommandLine::Implementation::refuse_extras() const {
         is_option ? std::vector<std::string>{"help", "version"} : command_names();
     if (is_option)
         for (const auto& option : options) known.push_back(option.name.substr(2));
-    std::string message = is_option          ? "unknown option "
-                          : commands.empty() ? "unexpected word "
-                                             : "unknown command ";
-    message += option_text::quoted(word);
-    const std::string letters = word.substr(std::min(word.find_first_not_of('-'), word.size()));
-    if (const auto near = nearest(is_option ? letters : word, known); !near.empty())
-        message += "; did you mean " + (is_option ? "--" + near : near) + "?";
-    else if (is_option || commands.empty())
-        message += "; --help lists the options";
-    else
-        message += "; known: " + option_text::joined(known);
-    throw UsageError{message};
+    throw UsageError{option_text::unknown(word, known, is_option, !commands.empty())};
 }
 
 void CommandLine::Implementation::read_values() const {
@@ -223,6 +200,31 @@ CommandLine& CommandLine::flag(std::string_view name, bool& target, std::string_
     option.value = [&target] { return std::string{target ? "true" : ""}; };
     self_->add(option, "", std::string{meaning});
     return *this;
+}
+
+CommandLine& CommandLine::foreign() {
+    self_->foreign = true;
+    return *this;
+}
+
+std::vector<std::string> CommandLine::refused() const {
+    std::vector<std::string> given;
+    for (const auto& option : self_->options) {
+        if (option.foreign && option.words->count() > 0) given.push_back(option.name);
+    }
+    return given;
+}
+
+std::string CommandLine::entries() const {
+    std::string text;
+    for (const auto& option : self_->options) text += option.foreign ? "" : option.entry;
+    return text;
+}
+
+std::vector<std::string> CommandLine::names() const {
+    std::vector<std::string> names;
+    for (const auto& option : self_->options) names.push_back(option.name.substr(2));
+    return names;
 }
 
 CommandLine& CommandLine::footer(std::string text) {

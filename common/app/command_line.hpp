@@ -45,6 +45,16 @@ class CommandLine {
     CommandLine& text(std::string_view name, std::string& target, std::string_view placeholder,
                       std::string_view meaning);
     CommandLine& flag(std::string_view name, bool& target, std::string_view meaning);
+    /// Options declared from here on are not taken by this run, but by others that --help tells of: their
+    /// values are read and checked, and refused() names those that were given. A name that is declared
+    /// already is not declared again.
+    CommandLine& foreign();
+    /// "--gamma --time": the foreign options that were given on the parsed line.
+    std::vector<std::string> refused() const;
+    /// The declared options with meaning, unit, range and default, as --help prints them.
+    std::string entries() const;
+    /// Their names, without the dashes.
+    std::vector<std::string> names() const;
     /// Text printed at the end of --help (examples, list of scenes).
     CommandLine& footer(std::string text);
     /// A sub-command (`exact burgers`); `declare`d options belong to it. The reference stays valid.

@@ -221,4 +221,17 @@ std::string entry(const std::string& left, const std::string& right) {
 }
 
 }  // namespace option_text
+std::string option_text::unknown(const std::string& word, const std::vector<std::string>& known,
+                                 bool is_option, bool has_commands) {
+    const std::string kind = is_option      ? "unknown option "
+                             : has_commands ? "unknown command "
+                                            : "unexpected word ";
+    const std::string letters = word.substr(std::min(word.find_first_not_of('-'), word.size()));
+    const std::string near = nearest(is_option ? letters : word, known);
+    if (!near.empty())
+        return kind + quoted(word) + "; did you mean " + (is_option ? "--" + near : near) + "?";
+    return kind + quoted(word) +
+           (is_option || !has_commands ? "; --help lists the options" : "; known: " + joined(known));
+}
+
 }  // namespace app

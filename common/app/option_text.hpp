@@ -35,6 +35,10 @@ std::string joined(const std::vector<std::string>& words);
 std::string described(std::string_view meaning, std::string_view unit, const std::string& range,
                       const std::string& default_value);
 
+/// What is said about a word that is no option or command; it names the nearest known one.
+std::string unknown(const std::string& word, const std::vector<std::string>& known, bool is_option,
+                    bool has_commands);
+
 /// `left` in a column, `right` beside it, wrapped: an entry of --help.
 std::string entry(const std::string& left, const std::string& right);
 

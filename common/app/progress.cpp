@@ -50,7 +50,8 @@ Progress::Progress(std::string title, int total)
       total_{total},
       terminal_{can_redraw()},
       start_{Clock::now()},
-      item_start_{start_} {}
+      item_start_{start_},
+      shown_{start_} {}
 
 Progress::~Progress() {
     if (terminal_ && drawn_) std::fputc('\n', stderr);  // what follows begins on a line of its own
@@ -73,17 +74,28 @@ void Progress::finish(const std::string& item) {
     check_interrupt();
 }
 
-void Progress::draw(const std::string& item) {
+void Progress::share(const std::string& item, double share) {
+    constexpr double first_terminal = 1, then_terminal = 0.2, plain = 10;
+    const bool started = seconds_since(item_start_) > (terminal_ ? first_terminal : plain);
+    if (!(share > 0) || !started || seconds_since(shown_) < (terminal_ ? then_terminal : plain)) return;
+    shown_ = Clock::now();
+    if (terminal_) return draw(item, share);
+    const double elapsed = seconds_since(item_start_);
+    std::fprintf(stderr, "%s: %s %.0f %%, %s, about %s left\n", title_.c_str(), item.c_str(), 100 * share,
+                 duration(elapsed).c_str(), duration(elapsed / share * (1 - share)).c_str());
+}
+
+void Progress::draw(const std::string& item, double share) {
     constexpr int cells = 24;
-    const int filled = total_ > 0 ? cells * done_ / total_ : cells;
+    const double done = std::min(done_ + share, static_cast<double>(total_));
+    const int filled = total_ > 0 ? static_cast<int>(cells * done / total_) : cells;
     const double elapsed = seconds_since(start_);
     std::string line = title_ + " [" + std::string(static_cast<std::size_t>(filled), '#') +
                        std::string(static_cast<std::size_t>(cells - filled), '.') + "] " +
                        std::to_string(done_) + "/" + std::to_string(total_) + " " + item + ", " +
                        duration(elapsed);
     // The rest is guessed from the mean so far: a guess is not worth showing before anything is done.
-    if (done_ > 0 && done_ < total_)
-        line += ", about " + duration(elapsed / done_ * (total_ - done_)) + " left";
+    if (done > 0 && done < total_) line += ", about " + duration(elapsed / done * (total_ - done)) + " left";
     // A line that wraps could not be redrawn in place.
     line.resize(std::min(line.size(), terminal_width() - 1));
     std::fprintf(stderr, "\r%s\033[K", line.c_str());

@@ -6,20 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "common/core/vec.hpp"
+#include "common/core/ghost.hpp"
 
 /// What particles see where the domain ends. A boundary adds ghosts: copies of particles at other places,
 /// which exist only while neighbours are summed. Their columns are never stored, so they cannot be out of
-/// date. (A wall made of fixed particles is no boundary in this sense: see Particles::fix_from.)
+/// date. (A wall made of held particles is no boundary in this sense: see groups.hpp.)
 namespace sph {
-
-/// A copy of particle `owner` at x. Component a of a vector is multiplied by sign[a], of a tensor by both
-/// signs.
-template <int d>
-struct Ghost {
-    std::uint32_t owner = 0;
-    Vector<d> x{}, sign{};
-};
 
 /// No boundary: nothing is added, nothing is computed.
 struct Free {

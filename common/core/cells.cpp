@@ -16,7 +16,7 @@ constexpr double cells_along_row(int d) {
 }
 
 Tile load(const Column& column, std::size_t k) {
-    return Eigen::Map<const Tile>(column.data() + k);
+    return Tile::load(column.data() + k);
 }
 
 void require(bool sound, const char* what, std::size_t i) {
@@ -252,14 +252,14 @@ void Cells<d>::append_neighbours(const Vector<d>& x, double reach, Support suppo
     const double widest = support == Support::symmetric && equal_reaches_ && !grids_.empty()
                               ? std::max(reach, grids_[0].reach)
                               : reach;
-    const Tile limit = Tile::Constant(widest * widest);
+    const Tile limit = widest * widest;
     for_each_row(x, reach, support, [&](std::size_t begin, std::size_t end) {
         std::uint32_t* const start = found.room(end - begin + tile_width);
         std::uint32_t* out = start;
         for (std::size_t k = begin; k < end; k += tile_width) {
             Tile r2 = (x[0] - load(x_[0], k)).square();
             for (std::size_t a = 1; a < d; ++a) r2 += (x[a] - load(x_[a], k)).square();
-            const Tile within = own ? Tile(limit.max(load(reach2_, k))) : limit;
+            const Tile within = own ? limit.max(load(reach2_, k)) : limit;
             out += write_below(r2, within, static_cast<std::uint32_t>(k), std::min(end - k, tile_width), out);
         }
         found.add(static_cast<std::size_t>(out - start));

@@ -8,7 +8,10 @@
 /// one and the same symbol of the README's table. What is a Vec changes sign in a mirror. A chapter declares
 /// the columns that only it needs where it needs them; none is stored that a scene does not list.
 ///
-/// A column may say `positive`: a value <= 0 has no meaning, and a simulation stops there.
+/// A column may say
+///     positive   a value <= 0 has no meaning, and a simulation stops there;
+///     held       what forces change: particles that are not free (groups.hpp) keep it;
+///     maximum    where it is summed, the largest term counts.
 namespace sph {
 
 struct Position {
@@ -20,6 +23,7 @@ struct Position {
 };
 struct Velocity {
     static constexpr std::string_view name = "velocity";
+    static constexpr bool held = true;
     template <class T, int d>
     struct In {
         Vec<T, d> v{};

@@ -30,55 +30,33 @@ namespace sph {
 
 namespace effects_detail {
 
-// Lists that an effect does not declare are empty.
 template <class E>
-auto reads() {
-    if constexpr (requires { typename E::Reads; }) {
-        return typename E::Reads{};
-    } else {
-        return List<>{};
-    }
-}
+using Reads = typename E::Reads;
 template <class E>
-auto reads_i() {
-    if constexpr (requires { typename E::ReadsI; }) {
-        return typename E::ReadsI{};
-    } else {
-        return List<>{};
-    }
-}
+using ReadsI = typename E::ReadsI;
 template <class E>
-auto reads_j() {
-    if constexpr (requires { typename E::ReadsJ; }) {
-        return typename E::ReadsJ{};
-    } else {
-        return List<>{};
-    }
-}
+using ReadsJ = typename E::ReadsJ;
 template <class E>
-auto adds() {
-    if constexpr (requires { typename E::Adds; }) {
-        return typename E::Adds{};
-    } else {
-        return List<>{};
-    }
-}
+using Adds = typename E::Adds;
 template <class E>
-auto writes() {
-    if constexpr (requires { typename E::Writes; }) {
-        return typename E::Writes{};
-    } else {
-        return List<>{};
-    }
-}
+using Writes = typename E::Writes;
 template <class E>
-auto uses() {
-    if constexpr (requires { typename E::Uses; }) {
-        return typename E::Uses{};
-    } else {
-        return List<>{};
-    }
+using Uses = typename E::Uses;
+
+/// What an effect declares under one of these names; nothing if it does not.
+template <template <class> class Name, class E>
+struct DeclaredBy {
+    using type = List<>;
+};
+template <template <class> class Name, class E>
+requires requires {
+    typename Name<E>;
 }
+struct DeclaredBy<Name, E> {
+    using type = Name<E>;
+};
+template <template <class> class Name, class E>
+using Declared = typename DeclaredBy<Name, E>::type;
 
 /// An effect and all that it uses, directly or not.
 template <class E>
@@ -91,25 +69,24 @@ struct ClosureOf<List<U...>> {
 };
 template <class E>
 struct Closure {
-    using type = Union<typename ClosureOf<decltype(uses<E>())>::type, List<E>>;
+    using type = Union<typename ClosureOf<Declared<Uses, E>>::type, List<E>>;
 };
 
 template <class L>
 struct Needed;
 template <class... E>
 struct Needed<List<E...>> {
-    using ReadI = Union<decltype(reads<E>())..., decltype(reads_i<E>())...>;
-    using ReadJ = Union<decltype(reads<E>())..., decltype(reads_j<E>())...>;
-    using Summed = Union<decltype(adds<E>())...>;
-    static constexpr std::size_t pairwise =
-        (std::size_t{0} + ... + (decltype(adds<E>())::size() > 0 ? 1 : 0));
+    using ReadI = Union<Declared<Reads, E>..., Declared<ReadsI, E>...>;
+    using ReadJ = Union<Declared<Reads, E>..., Declared<ReadsJ, E>...>;
+    using Summed = Union<Declared<Adds, E>...>;
+    static constexpr std::size_t pairwise = (std::size_t{0} + ... + (Declared<Adds, E>::size() > 0 ? 1 : 0));
 };
 
 }  // namespace effects_detail
 
 /// Whether an effect sums over pairs.
 template <class E>
-inline constexpr bool is_pairwise = decltype(effects_detail::adds<E>())::size() > 0;
+inline constexpr bool is_pairwise = effects_detail::Declared<effects_detail::Adds, E>::size() > 0;
 
 /// Effects that act together in one pass. Their Adds of one name are one sum.
 template <class... E>
@@ -124,7 +101,8 @@ struct Effects {
     using ReadI = typename Needed::ReadI;
     using ReadJ = typename Needed::ReadJ;
     using Summed = typename Needed::Summed;
-    using Stored = Union<decltype(effects_detail::adds<E>())..., decltype(effects_detail::writes<E>())...>;
+    using Stored = Union<effects_detail::Declared<effects_detail::Adds, E>...,
+                         effects_detail::Declared<effects_detail::Writes, E>...>;
     /// How many of them sum over pairs.
     static constexpr std::size_t pairwise() { return Needed::pairwise; }
 };

@@ -34,7 +34,7 @@ class Indices {
 
   private:
     void grow(std::size_t capacity) {
-        auto larger = std::make_unique_for_overwrite<std::uint32_t[]>(capacity);
+        auto larger = std::unique_ptr<std::uint32_t[]>{new std::uint32_t[capacity]};
         std::copy(index_.get(), index_.get() + size_, larger.get());
         index_ = std::move(larger);
         capacity_ = capacity;
@@ -48,7 +48,10 @@ class Indices {
 inline std::size_t write_below(const Tile& r2, const Tile& limit, std::uint32_t first, std::size_t lanes,
                                std::uint32_t* out) {
 #if defined(__AVX512F__) && defined(__AVX512VL__)
-    const __m512d a = _mm512_load_pd(r2.data()), b = _mm512_load_pd(limit.data());
+    __m512d a, b;
+    static_assert(sizeof a == sizeof r2);
+    __builtin_memcpy(&a, &r2, sizeof a);
+    __builtin_memcpy(&b, &limit, sizeof b);
     const unsigned inside = _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ) & ((1U << lanes) - 1U);
     const __m256i index = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)),
                                            _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
@@ -60,7 +63,7 @@ inline std::size_t write_below(const Tile& r2, const Tile& limit, std::uint32_t 
     std::size_t count = 0;
     for (std::size_t k = 0; k < lanes; ++k) {  // no branch: which lanes are inside cannot be predicted
         out[count] = first + static_cast<std::uint32_t>(k);
-        count += r2[static_cast<int>(k)] < limit[static_cast<int>(k)] ? 1 : 0;
+        count += r2[k] < limit[k] ? 1 : 0;
     }
     return count;
 #endif

@@ -1,70 +1,88 @@
 #pragma once
-#include "common/core/counters.hpp"
-#include "common/core/equations.hpp"
+#include <functional>
+#include <memory>
+#include <string>
 
-/// Time integration. Every integrator has
-///     step(particles, t, dt, rates)
-/// which advances what the equations `Motion` evolve, and t, by dt (which may be negative: back in time).
-/// rates(t) is the scene's: it fills the columns of rates from the particles' present state. An integrator
-/// counts its steps, allocates nothing after the first, and throws Unstable when the new state has lost its
-/// meaning, or when dt no longer moves t on.
+#include "common/core/motion.hpp"
+#include "common/core/stepper.hpp"
+
+/// Time integration. An integrator is given what evolves and a function rates(t), which fills the columns of
+/// rates from the particles' present state; it allocates nothing after the first step. dt may be negative:
+/// back in time.
 namespace sph {
 
-namespace integrators_detail {
+using Rates = std::function<void(double t)>;
 
-template <class Motion, class P>
-void finish_step(const P& particles, double t, Counters& counters) {
-    ++counters.steps;
-    Motion::require_physical(particles, t);
-}
+class Integrator : public Stepper {
+  public:
+    Integrator(const Motion& motion, Rates rates) : motion_{&motion}, rates_{std::move(rates)} {}
+    bool step(double& t, double dt) final;
 
-}  // namespace integrators_detail
+  protected:
+    virtual void advance(double& t, double dt) = 0;
+    const Motion& motion() const { return *motion_; }
+    void rates(double t) { rates_(t); }
+
+  private:
+    const Motion* motion_;
+    Rates rates_;
+};
 
 /// Leapfrog, kick-drift-kick (Monaghan 2005, 5.51-5.53). Second order; symplectic and reversible where rates
 /// depend on positions only. One evaluation of the rates a step: those of the end serve the next beginning,
 /// unless restart() says that the state was changed in between.
-template <class Motion>
-class KickDriftKick {
+class KickDriftKick : public Integrator {
   public:
-    explicit KickDriftKick(Counters& counters) : counters_{&counters} {}
-    void restart() { has_rates_ = false; }
-    template <class P, class Rates>
-    void step(P& particles, double& t, double dt, Rates&& rates) {
-        require_time_step(t, dt);
-        if (!has_rates_) rates(t);
-        Motion::kick(particles, dt / 2);
-        Motion::drift(particles, dt);
-        t += dt;
-        rates(t);
-        has_rates_ = true;
-        Motion::kick(particles, dt / 2);
-        integrators_detail::finish_step<Motion>(particles, t, *counters_);
-    }
+    using Integrator::Integrator;
+    void restart() override { has_rates_ = false; }
 
   private:
-    Counters* counters_;
+    void advance(double& t, double dt) override;
     bool has_rates_ = false;
 };
 
 /// Leapfrog, drift-kick-drift: Monaghan's Verlet (5.42-5.44). Second order; symplectic and reversible where
 /// rates depend on positions only. One evaluation a step.
-template <class Motion>
-class DriftKickDrift {
+class DriftKickDrift : public Integrator {
   public:
-    explicit DriftKickDrift(Counters& counters) : counters_{&counters} {}
-    template <class P, class Rates>
-    void step(P& particles, double& t, double dt, Rates&& rates) {
-        require_time_step(t, dt);
-        Motion::drift(particles, dt / 2);
-        rates(t + dt / 2);
-        Motion::kick(particles, dt);
-        Motion::drift(particles, dt / 2);
-        t += dt;
-        integrators_detail::finish_step<Motion>(particles, t, *counters_);
-    }
+    using Integrator::Integrator;
 
   private:
-    Counters* counters_;
+    void advance(double& t, double dt) override;
+};
+
+/// Predictor-corrector with one evaluation a step: everything is predicted to the middle with the rates of
+/// the last middle, and advanced over the whole step with those found there. Second order for rates that
+/// depend on anything (velocities, thermal energy).
+class PredictorCorrector : public Integrator {
+  public:
+    using Integrator::Integrator;
+    void restart() override { has_rates_ = false; }
+
+  private:
+    void advance(double& t, double dt) override;
+    Motion::Saved start_;
+    bool has_rates_ = false;
+};
+
+/// Runge-Kutta of second order (midpoint rule), two evaluations a step.
+class RungeKutta2 : public Integrator {
+  public:
+    using Integrator::Integrator;
+
+  private:
+    void advance(double& t, double dt) override;
+    Motion::Saved start_;
+};
+
+/// The classical Runge-Kutta method of fourth order, four evaluations a step.
+class RungeKutta4 : public Integrator {
+  public:
+    using Integrator::Integrator;
+
+  private:
+    void advance(double& t, double dt) override;
+    Motion::Saved start_, sum_;
 };
 
 /// How the two halves of a reversible step share the limit found in the middle.
@@ -75,114 +93,23 @@ enum class HalfSteps {
 
 /// Drift-kick-drift with a step that varies and can still be run backwards (5.45-5.48, with the factor 1/2
 /// that 5.47 lacks as printed): the limit is taken in the middle, from positions, and symmetric in both
-/// halves.
-template <class Motion>
-class ReversibleSteps {
+/// halves. A step begins with dt_0, the one before's dt_1, moves t by (dt_0 + dt_1)/2, and leaves its own
+/// dt_1 as longest_step(). To go back, reverse the velocities and go on.
+class ReversibleSteps : public Integrator {
   public:
-    explicit ReversibleSteps(Counters& counters, HalfSteps rule = HalfSteps::harmonic)
-        : counters_{&counters}, rule_{rule} {}
-    /// Advances t by (dt_0 + dt_1) / 2, where dt enters as dt_0 and leaves as dt_1. limit() is the step that
-    /// the positions allow, called after rates(t) in the middle. To go back, reverse the velocities and go
-    /// on. Throws Unstable if the limit changes so fast that dt_1 would not be positive.
-    template <class P, class Rates, class Limit>
-    void step(P& particles, double& t, double& dt, Rates&& rates, Limit&& limit) {
-        require_time_step(t, dt);
-        const double dt_0 = dt;
-        Motion::drift(particles, dt_0 / 2);
-        rates(t + dt_0 / 2);
-        Motion::kick(particles, dt_0 / 2);
-        const double dt_half = limit();
-        const double dt_1 = rule_ == HalfSteps::harmonic ? 1 / (2 / dt_half - 1 / dt_0) : 2 * dt_half - dt_0;
-        if (!(dt_1 > 0)) throw Unstable{t, Unstable::no_particle, "the time step", dt_1};
-        Motion::kick(particles, dt_1 / 2);
-        Motion::drift(particles, dt_1 / 2);
-        t += (dt_0 + dt_1) / 2;
-        dt = dt_1;
-        integrators_detail::finish_step<Motion>(particles, t, *counters_);
-    }
+    /// limit() is the step that the positions allow, called after rates(t) in the middle; `first` the first
+    /// dt_0.
+    ReversibleSteps(const Motion& motion, Rates rates, std::function<double()> limit, double first,
+                    HalfSteps rule = HalfSteps::harmonic)
+        : Integrator{motion, std::move(rates)}, limit_{std::move(limit)}, dt_{first}, rule_{rule} {}
+    double longest_step() override { return dt_; }
 
   private:
-    Counters* counters_;
+    /// Throws Unstable if the limit changes so fast that dt_1 would not be positive.
+    void advance(double& t, double dt) override;
+    std::function<double()> limit_;
+    double dt_;
     HalfSteps rule_;
-};
-
-/// Predictor-corrector with one evaluation a step: everything is predicted to the middle with the rates of
-/// the last middle, and advanced over the whole step with those found there. Second order for rates that
-/// depend on anything (velocities, thermal energy).
-template <class Motion>
-class PredictorCorrector {
-  public:
-    explicit PredictorCorrector(Counters& counters) : counters_{&counters} {}
-    void restart() { has_rates_ = false; }
-    template <class P, class Rates>
-    void step(P& particles, double& t, double dt, Rates&& rates) {
-        require_time_step(t, dt);
-        if (!has_rates_) rates(t);
-        start_.save(particles);
-        start_.advance(particles, dt / 2);
-        rates(t + dt / 2);
-        has_rates_ = true;
-        start_.advance(particles, dt);
-        t += dt;
-        integrators_detail::finish_step<Motion>(particles, t, *counters_);
-    }
-
-  private:
-    Counters* counters_;
-    Saved<Motion> start_;
-    bool has_rates_ = false;
-};
-
-/// Runge-Kutta of second order (midpoint rule), two evaluations a step.
-template <class Motion>
-class RungeKutta2 {
-  public:
-    explicit RungeKutta2(Counters& counters) : counters_{&counters} {}
-    template <class P, class Rates>
-    void step(P& particles, double& t, double dt, Rates&& rates) {
-        require_time_step(t, dt);
-        start_.save(particles);
-        rates(t);
-        start_.advance(particles, dt / 2);
-        rates(t + dt / 2);
-        start_.advance(particles, dt);
-        t += dt;
-        integrators_detail::finish_step<Motion>(particles, t, *counters_);
-    }
-
-  private:
-    Counters* counters_;
-    Saved<Motion> start_;
-};
-
-/// The classical Runge-Kutta method of fourth order, four evaluations a step.
-template <class Motion>
-class RungeKutta4 {
-  public:
-    explicit RungeKutta4(Counters& counters) : counters_{&counters} {}
-    template <class P, class Rates>
-    void step(P& particles, double& t, double dt, Rates&& rates) {
-        require_time_step(t, dt);
-        start_.save(particles);
-        sum_.save(particles);
-        rates(t);
-        sum_.add(particles, dt / 6);
-        start_.advance(particles, dt / 2);
-        rates(t + dt / 2);
-        sum_.add(particles, dt / 3);
-        start_.advance(particles, dt / 2);
-        rates(t + dt / 2);
-        sum_.add(particles, dt / 3);
-        start_.advance(particles, dt);
-        rates(t + dt);
-        sum_.advance(particles, dt / 6);
-        t += dt;
-        integrators_detail::finish_step<Motion>(particles, t, *counters_);
-    }
-
-  private:
-    Counters* counters_;
-    Saved<Motion> start_, sum_;
 };
 
 }  // namespace sph

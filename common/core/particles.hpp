@@ -1,12 +1,10 @@
 #pragma once
-#include <concepts>
 #include <cstddef>
-#include <limits>
-#include <stdexcept>
+#include <type_traits>
 
 #include "common/core/columns.hpp"
+#include "common/core/groups.hpp"
 #include "common/core/list.hpp"
-#include "common/core/tile.hpp"
 
 namespace sph {
 
@@ -60,17 +58,15 @@ class Particles : public C::template In<Column, dimension>... {
     static constexpr int d = dimension;
     static_assert(d >= 1 && d <= 3);
     using Names = List<C...>;
+    using Held = Column;
+
+    Groups groups;  ///< which of them forces move
 
     Particles() = default;
     /// `n` particles with zeros in every column.
     explicit Particles(std::size_t n) { resize(n); }
 
     std::size_t size() const noexcept { return size_; }
-    /// The particles from this one on stay where they are (layers that stand for a wall): integrators do not
-    /// move them. All others move by default.
-    std::size_t moving() const noexcept { return std::min(moving_, size_); }
-    void fix_from(std::size_t first) noexcept { moving_ = first; }
-
     /// New particles have zeros in every column.
     void resize(std::size_t n) {
         size_ = n;
@@ -89,7 +85,6 @@ class Particles : public C::template In<Column, dimension>... {
 
   private:
     std::size_t size_ = 0;
-    std::size_t moving_ = std::numeric_limits<std::size_t>::max();
 };
 
 namespace particles_detail {
@@ -103,6 +98,17 @@ struct ParticlesOf<d, List<C...>> {
 /// Particles with the columns of a list.
 template <int d, class L>
 using ParticlesOf = typename particles_detail::ParticlesOf<d, L>::type;
+
+/// Makes the columns of `to` those of particles that have them too.
+template <class From, int d, class... C>
+void copy_columns(const From& from, Particles<d, C...>& to) {
+    to.resize(from.size());
+    const auto copy = [&]<class One>(One) {
+        if constexpr (contains<typename From::Names, One>)
+            member<One, Column, d>(to) = member<One, Column, d>(from);
+    };
+    (copy(C{}), ...);
+}
 
 template <class P, class C>
 concept Has = contains<typename P::Names, C>;
@@ -118,19 +124,47 @@ constexpr bool has_all(List<C...>) {
     return (Needs<P, C>::met && ...);
 }
 
-/// The values of particle i in the listed columns.
+/// Where the listed columns begin, and nothing else of the particles: what a loop over them is compiled for.
+/// Begin is double* or const double*.
+template <class Begin, int dimension, class... C>
+struct View : C::template In<Begin, dimension>... {
+    static constexpr int d = dimension;
+    using Names = List<C...>;
+    using Held = Begin;
+};
+namespace particles_detail {
+template <class Begin, int d, class L>
+struct ViewOf;
+template <class Begin, int d, class... C>
+struct ViewOf<Begin, d, List<C...>> {
+    using type = View<Begin, d, C...>;
+};
+}  // namespace particles_detail
+template <class Begin, int d, class L>
+using ViewOf = typename particles_detail::ViewOf<Begin, d, L>::type;
+template <class Begin, class P, class... C>
+View<Begin, std::remove_const_t<P>::d, C...> view_of([[maybe_unused]] P& particles, List<C...>) {
+    constexpr int d = std::remove_const_t<P>::d;
+    View<Begin, d, C...> view;
+    (for_each_component([](Begin& begin, auto& column) { begin = column.data(); }, member<C, Begin, d>(view),
+                        member<C, Column, d>(particles)),
+     ...);
+    return view;
+}
+
+/// The values of particle i in the listed columns, of particles or of a view.
 template <int d, class P, class... C>
 Row<double, d, C...> load(const P& particles, [[maybe_unused]] std::size_t i, List<C...>) {
     Row<double, d, C...> row;
-    (for_each_component([i](double& value, const Column& column) { value = column[i]; },
-                        member<C, double, d>(row), member<C, Column, d>(particles)),
+    (for_each_component([i](double& value, const auto& column) { value = column[i]; },
+                        member<C, double, d>(row), member<C, typename P::Held, d>(particles)),
      ...);
     return row;
 }
 template <int d, class P, class... C>
 void store(P& particles, [[maybe_unused]] std::size_t i, const Row<double, d, C...>& row) {
-    (for_each_component([i](const double& value, Column& column) { column[i] = value; },
-                        member<C, double, d>(row), member<C, Column, d>(particles)),
+    (for_each_component([i](const double& value, auto& column) { column[i] = value; },
+                        member<C, double, d>(row), member<C, typename P::Held, d>(particles)),
      ...);
 }
 

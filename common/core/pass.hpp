@@ -31,10 +31,13 @@ void reflect(Vec<T, d>& value, const Vector<d>& sign, double factor) {
     for (std::size_t a = 0; a < value.size(); ++a) reflect(value[a], sign, factor * sign[a]);
 }
 
+/// What ghosts carry is their owners' values, unless a boundary sets it.
+struct OwnersValues {};
+
 /// Copies what pairs need of every source, particle or ghost, into its row.
-template <class P, class N, class... C>
-void pack(const P& particles, N& neighbours, List<C...> columns) {
-    constexpr int d = N::d;
+template <class Values, int d, class... C>
+void pack(const View<const double*, d, C...>& particles, NeighbourList<d>& neighbours, const Values& ghosts) {
+    constexpr List<C...> columns;
     constexpr std::size_t width = static_cast<std::size_t>(d) + count_components<d>(columns);
     RowBuffer& rows = neighbours.rows();
     rows.resize(neighbours.sources(), width);
@@ -43,8 +46,7 @@ void pack(const P& particles, N& neighbours, List<C...> columns) {
             auto values = load<d>(particles, neighbours.owner(k), columns);
             if (const Ghost<d>* ghost = neighbours.ghost(k)) {
                 (reflect(member<C, double, d>(values), ghost->sign, 1.0), ...);
-                if constexpr (requires { neighbours.boundary().values(values, *ghost); })
-                    neighbours.boundary().values(values, *ghost);
+                if constexpr (!std::is_same_v<Values, OwnersValues>) ghosts.values(values, *ghost);
             }
             double* out = rows.row(k);
             const Vector<d> x = neighbours.source_position(k);
@@ -54,6 +56,14 @@ void pack(const P& particles, N& neighbours, List<C...> columns) {
     };
     constexpr std::size_t grain = 1 << 13;  // rows for which waking a thread pays
     neighbours.team().parallel_for(neighbours.sources(), pack_rows, grain);
+}
+template <int d, class B, class V>
+void pack(const V& particles, Neighbours<d, B>& neighbours) {
+    if constexpr (requires { &B::template values<Row<double, d>, d>; }) {
+        pack(particles, neighbours, neighbours.boundary());
+    } else {
+        pack(particles, neighbours, OwnersValues{});
+    }
 }
 
 /// Eight neighbours of i: their offsets and columns.
@@ -85,9 +95,9 @@ struct SumTiles<List<C...>> {
         (for_each_component(
              [](Tile& tile) {
                  if constexpr (maximum<C>) {
-                     tile.setConstant(-std::numeric_limits<double>::infinity());
+                     tile = -std::numeric_limits<double>::infinity();
                  } else {
-                     tile.setZero();
+                     tile = 0.0;
                  }
              },
              member<C, Tile, d>(sum)),
@@ -141,15 +151,29 @@ void finish_all(const Effects<E...>& effects, const auto& i, const auto& sum, au
     std::apply([&](const auto&... effect) { (finish(effect), ...); }, effects.list);
 }
 
-/// The sums of receivers begin..end over the tiles of their neighbours: where the time of a run goes.
-/// Everything is inlined into it, since tiles live in registers and a call would send them through memory;
-/// effects and smoothing are copies, so that the compiler need not fear that a sum overwrites them. Returns
-/// how many pairs it visited.
-template <class Receivers, class N, class Smoothing, class E>
-[[gnu::flatten]] std::size_t sum_receivers(Receivers& receivers, N& neighbours, const Smoothing smoothing,
-                                           const E effects, std::size_t begin, std::size_t end,
-                                           std::size_t part) {
-    constexpr int d = N::d;
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool all_inlined = false;  // compilers take minutes for it, and debuggers want calls
+#else
+inline constexpr bool all_inlined = true;
+#endif
+
+/// What a pass is compiled for: the smoothing, the effects, and where the columns that they name begin.
+template <int d, class Smoothing, class E>
+struct Sum {
+    using Read = OfReceiver<Smoothing, E>;
+    using Write = typename E::Stored;
+    ViewOf<const double*, d, Read> read;
+    ViewOf<double*, d, Write> write;
+    Smoothing smoothing;
+    E effects;
+};
+
+/// The sums of receivers begin..end over the tiles of their neighbours: where the time of a run goes. Effects
+/// and smoothing are copies, so that the compiler need not fear that a sum overwrites them. Returns how many
+/// pairs it visited.
+template <int d, class Smoothing, class E>
+std::size_t sum_receivers(Sum<d, Smoothing, E> pass, NeighbourList<d>& neighbours, std::size_t begin,
+                          std::size_t end, std::size_t part) {
     using Sums = SumTiles<typename E::Summed>;
     const RowBuffer& rows = neighbours.rows();
     const double beyond = 1e3 * neighbours.largest_reach();
@@ -157,23 +181,32 @@ template <class Receivers, class N, class Smoothing, class E>
     for (std::size_t r = begin; r < end; ++r) {
         const auto receiver = neighbours.receivers()[r];
         const auto [index, count] = neighbours.of(r, neighbours.scratch(part));
-        const auto i = load<d>(receivers, receiver.index, OfReceiver<Smoothing, E>{});
+        const auto i = load<d>(pass.read, receiver.index, typename decltype(pass)::Read{});
         RowOf<Tile, d, typename E::Summed> sums;
         Sums::clear(sums);
         for (std::size_t k = 0; k < count; k += tile_width) {
             Neighbour j{rows, index + k, receiver.x, Packed<Smoothing, E>{}};
             // Lanes behind the last neighbour repeat it, moved to where W and F are zero.
             j.x_ij[0] += beyond * unused_lanes(std::min(count - k, tile_width));
-            add_all(effects, i, j, smoothing.pair(i, j, j.x_ij), sums);
+            add_all(pass.effects, i, j, pass.smoothing.pair(i, j, j.x_ij), sums);
         }
         const auto sum = Sums::reduce(sums);
         RowOf<double, d, typename E::Stored> out{};
         copy_common(sum, out);
-        finish_all(effects, i, sum, out);
-        store<d>(receivers, receiver.index, out);
+        finish_all(pass.effects, i, sum, out);
+        store<d>(pass.write, receiver.index, out);
         visited += count;
     }
     return visited;
+}
+/// The same with everything inlined into it: tiles live in registers, and a call would send them through
+/// memory.
+template <int d, class Smoothing, class E>
+[[gnu::flatten, gnu::noinline]] std::size_t sum_receivers_inlined(const Sum<d, Smoothing, E>& pass,
+                                                                  NeighbourList<d>& neighbours,
+                                                                  std::size_t begin, std::size_t end,
+                                                                  std::size_t part) {
+    return sum_receivers(pass, neighbours, begin, end, part);
 }
 
 }  // namespace pass_detail
@@ -196,12 +229,20 @@ void sum_over_neighbours(Receivers& receivers, const Sources& sources, N& neighb
                   has_all<Receivers>(typename All::Stored{}));
     if (sources.size() != neighbours.searched() || receivers.size() != neighbours.receivers().size())
         throw std::logic_error{"sum_over_neighbours: not the particles whose neighbours were found"};
-    pass_detail::pack(sources, neighbours, Packed{});
+    using Pass = pass_detail::Sum<N::d, Smoothing, All>;
+    pass_detail::pack(view_of<const double*>(sources, Packed{}), neighbours);
+    const Pass pass{view_of<const double*>(receivers, typename Pass::Read{}),
+                    view_of<double*>(receivers, typename Pass::Write{}), smoothing, effects};
+    NeighbourList<N::d>& list = neighbours;
     std::atomic<std::size_t> visited{0};
-    neighbours.team().parallel_for(neighbours.receivers().size(), [&](std::size_t begin, std::size_t end,
-                                                                      std::size_t part) {
-        visited += pass_detail::sum_receivers(receivers, neighbours, smoothing, effects, begin, end, part);
-    });
+    list.team().parallel_for(
+        list.receivers().size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
+            if constexpr (pass_detail::all_inlined) {
+                visited += pass_detail::sum_receivers_inlined(pass, list, begin, end, part);
+            } else {
+                visited += pass_detail::sum_receivers(pass, list, begin, end, part);
+            }
+        });
     const auto pairs = static_cast<long>(visited);
     Counters& counters = neighbours.counters();
     ++counters.passes;

@@ -63,7 +63,7 @@ inline V8 odds(V8 a, V8 b) {
     return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
 }
 inline void put(Tile& tile, V8 value) {
-    *reinterpret_cast<V8*>(tile.data()) = value;
+    tile = Tile::load(reinterpret_cast<const double*>(&value));
 }
 
 /// tile[c] lane l = row[l][first + c] for c = 0..3. Each register holds four numbers of two rows; the order
@@ -86,15 +86,16 @@ inline void transpose_two(const Rows& row, std::size_t first, Tile* tile) {
 }
 #else
 // Shorter registers: number by number is as fast as shuffling halves.
+inline Tile gathered(const Rows& row, std::size_t c) {
+    const std::array number{row[0][c], row[1][c], row[2][c], row[3][c],
+                            row[4][c], row[5][c], row[6][c], row[7][c]};
+    return Tile::load(number.data());
+}
 inline void transpose_four(const Rows& row, std::size_t first, Tile* tile) {
-    for (std::size_t l = 0; l < tile_width; ++l) {
-        for (std::size_t c = 0; c < 4; ++c) tile[c][static_cast<int>(l)] = row[l][first + c];
-    }
+    for (std::size_t c = 0; c < 4; ++c) tile[c] = gathered(row, first + c);
 }
 inline void transpose_two(const Rows& row, std::size_t first, Tile* tile) {
-    for (std::size_t l = 0; l < tile_width; ++l) {
-        for (std::size_t c = 0; c < 2; ++c) tile[c][static_cast<int>(l)] = row[l][first + c];
-    }
+    for (std::size_t c = 0; c < 2; ++c) tile[c] = gathered(row, first + c);
 }
 #endif
 

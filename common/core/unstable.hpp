@@ -1,11 +1,11 @@
 #pragma once
-#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "common/app/error.hpp"
-#include "common/core/particles.hpp"
 
 namespace sph {
 
@@ -20,35 +20,18 @@ struct Unstable : app::UnphysicalError {
     double value;
 
     Unstable(double time, std::size_t particle, std::string quantity, double value);
+    /// The same, at another time: who finds a failure need not know the time.
+    Unstable at(double when) const { return {when, particle, quantity, value}; }
 };
 
-/// Throws Unstable for the first value of the listed columns that is not finite, or not positive where the
-/// column says that it must be. Cost: one pass over these columns.
-template <class P, class... C>
-void require_physical(const P& particles, double t, List<C...>) {
-    [[maybe_unused]] const auto check = [&]<class Name>(Name, const Column& column) {
-        constexpr bool positive = requires {
-            Name::positive;
-        };
-        constexpr double largest = std::numeric_limits<double>::max();
-        const auto sound = [](double value) {
-            return (positive ? value > 0 : value >= -largest) && value <= largest;  // false for NaN
-        };
-        int wrong = 0;
-        for (const double value : column) wrong |= sound(value) ? 0 : 1;
-        if (wrong == 0) return;
-        std::size_t i = 0;
-        while (sound(column[i])) ++i;
-        throw Unstable{t, i, std::string{Name::name}, column[i]};
-    };
-    (for_each_component([&](const Column& column) { check(C{}, column); },
-                        member<C, Column, P::d>(particles)),
-     ...);
-}
+/// Throws Unstable for the first of the particles' values that is not finite, or not > 0 if `positive`.
+/// Cost: one pass over the values.
+void require_physical(std::span<const double> values, std::string_view quantity, bool positive, double t);
 
 /// Throws Unstable unless `dt` still moves the time on.
-inline void require_time_step(double t, double dt) {
-    if (!std::isfinite(dt) || t + dt == t) throw Unstable{t, Unstable::no_particle, "the time step", dt};
-}
+void require_time_step(double t, double dt);
+
+/// Throws Unstable at time t unless x[0] < x[1] < ...: particles on a line must not overtake each other.
+void require_order(std::span<const double> x, double t);
 
 }  // namespace sph

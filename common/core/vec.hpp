@@ -27,7 +27,7 @@ struct Vec {
         for (std::size_t a = 0; a < size(); ++a) component[a] -= other[a];
         return *this;
     }
-    friend constexpr bool operator==(const Vec&, const Vec&) = default;
+    friend bool operator==(const Vec&, const Vec&) = default;
 };
 
 template <class T>
@@ -35,17 +35,16 @@ struct IsVec : std::false_type {};
 template <class T, int d>
 struct IsVec<Vec<T, d>> : std::true_type {};
 
+// A number and a tile mix: the result is a tile.
 template <class T, class U, int d>
 constexpr auto operator+(const Vec<T, d>& a, const Vec<U, d>& b) {
-    using Sum = std::conditional_t<std::is_arithmetic_v<T>, U, T>;
-    Vec<Sum, d> result;
+    Vec<decltype(a[0] + b[0]), d> result;
     for (std::size_t k = 0; k < a.size(); ++k) result[k] = a[k] + b[k];
     return result;
 }
 template <class T, class U, int d>
 constexpr auto operator-(const Vec<T, d>& a, const Vec<U, d>& b) {
-    using Difference = std::conditional_t<std::is_arithmetic_v<T>, U, T>;
-    Vec<Difference, d> result;
+    Vec<decltype(a[0] - b[0]), d> result;
     for (std::size_t k = 0; k < a.size(); ++k) result[k] = a[k] - b[k];
     return result;
 }
@@ -55,30 +54,17 @@ constexpr Vec<T, d> operator-(const Vec<T, d>& a) {
     for (std::size_t k = 0; k < a.size(); ++k) result[k] = -a[k];
     return result;
 }
-
-/// factor v. An expression of tiles is computed once, not once a component.
 template <class S, class T, int d>
 requires(!IsVec<S>::value) constexpr auto operator*(const S& factor, const Vec<T, d>& v) {
-    if constexpr (std::is_arithmetic_v<S> || !std::is_arithmetic_v<T>) {
-        using Factor = std::conditional_t<std::is_arithmetic_v<S>, S, T>;
-        const Factor once = factor;
-        Vec<T, d> result;
-        for (std::size_t k = 0; k < v.size(); ++k) result[k] = once * v[k];
-        return result;
-    } else {  // a tile times a vector of numbers
-        using Tiles = std::decay_t<decltype(factor.eval())>;
-        const Tiles once = factor;
-        Vec<Tiles, d> result;
-        for (std::size_t k = 0; k < v.size(); ++k) result[k] = once * v[k];
-        return result;
-    }
+    Vec<decltype(factor * v[0]), d> result;
+    for (std::size_t k = 0; k < v.size(); ++k) result[k] = factor * v[k];
+    return result;
 }
 
 /// a . b
 template <class T, class U, int d>
 constexpr auto dot(const Vec<T, d>& a, const Vec<U, d>& b) {
-    using Product = std::conditional_t<std::is_arithmetic_v<T>, U, T>;
-    Product sum = a[0] * b[0];
+    auto sum = a[0] * b[0];
     for (std::size_t k = 1; k < a.size(); ++k) sum += a[k] * b[k];
     return sum;
 }

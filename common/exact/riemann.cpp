@@ -58,14 +58,21 @@ struct Side {
                      2 / (gamma + 1) * (c + (gamma - 1) / 2 * v + xi),
                      p * std::exp(2 * gamma / (gamma - 1) * log_c));
     }
-    /// The state at xi, left of the contact.
-    Riemann::Point at(Real xi, Real p_star, Real v_star, Real rho_star) const {
+    /// Where the wave to the star state begins and ends.
+    struct Edges {
+        Real head, tail;
+    };
+    Edges edges(Real p_star, Real v_star) const {
         if (p_star > p) {
             const Real shock = v - std::sqrt(((gamma + 1) / 2 * p_star + (gamma - 1) / 2 * p) / rho);
-            return xi < shock ? undisturbed() : point(rho_star, v_star, p_star);
+            return {shock, shock};
         }
-        if (xi < v - c) return undisturbed();
-        const Real tail = v_star - c * (1 + expansion(p_star));
+        return {v - c, p > 0 ? v_star - c * (1 + expansion(p_star)) : v};
+    }
+    /// The state at xi, left of the contact.
+    Riemann::Point at(Real xi, Real p_star, Real v_star, Real rho_star) const {
+        const auto [head, tail] = edges(p_star, v_star);
+        if (xi < head) return undisturbed();
         return xi < tail ? fan(xi) : point(rho_star, v_star, p_star);
     }
     /// The state at xi beside a vacuum.
@@ -107,6 +114,16 @@ Real star_pressure(const Side& l, const Side& r, Real closing) {
     return p;
 }
 
+/// The wave of one side; `direction` is 1 for the left one, -1 for the right one, which Side sees mirrored.
+Riemann::Wave wave(const Side::Edges& edges, double direction, bool shock) {
+    return {direction * static_cast<double>(edges.head), direction * static_cast<double>(edges.tail), shock};
+}
+/// That into a vacuum; beside an empty side, where there is no wave, the front of the gas on the other one.
+Riemann::Wave wave_into_vacuum(const Side& side, const Side& other, double direction) {
+    if (side.empty()) return wave({-other.front(), -other.front()}, direction, false);
+    return wave({side.v - side.c, side.front()}, direction, false);
+}
+
 }  // namespace
 
 Riemann::Riemann(const State& left, const State& right, double gamma)
@@ -125,12 +142,14 @@ Riemann::Riemann(const State& left, const State& right, double gamma)
     if (l.empty() || r.empty() || -closing > fastest || (-closing == fastest && fastest > 0)) {
         const Real from = l.empty() ? -r.front() : l.front(), to = r.empty() ? l.front() : -r.front();
         star_ = {0, static_cast<double>((from + to) / 2), 0, 0, true};
+        waves_ = {wave_into_vacuum(l, r, 1), star_.v, wave_into_vacuum(r, l, -1)};
         return;
     }
     const Real p = star_pressure(l, r, closing);
     const Real v = (l.v - r.v + (r.velocity_change(p) - l.velocity_change(p))) / 2;
     star_ = {static_cast<double>(p), static_cast<double>(v), static_cast<double>(l.star_density(p)),
              static_cast<double>(r.star_density(p)), false};
+    waves_ = {wave(l.edges(p, v), 1, p > l.p), star_.v, wave(r.edges(p, -v), -1, p > r.p)};
 }
 
 Riemann::Point Riemann::at(double xi) const {

@@ -33,6 +33,18 @@ class Riemann {
     struct Point {
         double rho, v, p, u;
     };
+    /// One wave: the velocities of its edge beside the undisturbed state and of the one beside the contact or
+    /// the vacuum; both are equal for a shock, and beside an empty side, where there is no wave.
+    struct Wave {
+        double head, tail;
+        bool shock;
+    };
+    /// Everything that moves, at x = v t: what a scene's window has to hold.
+    struct Waves {
+        Wave left;
+        double contact;  ///< in a vacuum the middle of its fronts
+        Wave right;
+    };
 
     /// rho >= 0, p >= 0 (p = 0 where rho = 0: vacuum), |v|, all up to largest_scale; gamma in (1,
     /// largest_gamma]. Throws std::domain_error, which names the value, outside these ranges, and for two
@@ -40,6 +52,7 @@ class Riemann {
     Riemann(const State& left, const State& right, double gamma);
 
     const Star& star() const noexcept { return star_; }
+    const Waves& waves() const noexcept { return waves_; }
     /// The state at x/t = xi [velocity], any finite value; 0 in the vacuum. At a discontinuity the state on
     /// its right.
     Point at(double xi) const;
@@ -49,7 +62,8 @@ class Riemann {
   private:
     State left_, right_;
     double gamma_;
-    Star star_;
+    Star star_{};
+    Waves waves_{};
 };
 
 }  // namespace exact

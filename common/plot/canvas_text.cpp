@@ -30,8 +30,8 @@ Snapped snap_to_pixel(double value) {
 }
 
 /// The direction of a baseline on the picture, where y grows downwards. Exact for multiples of 90 degrees.
-struct Direction {
-    explicit Direction(double degrees) {
+struct LineDirection {
+    explicit LineDirection(double degrees) {
         const double turned = std::remainder(degrees, 360.0);
         angle = static_cast<int>(std::lround(turned * 64));
         level = angle % (180 * 64) == 0;
@@ -59,7 +59,7 @@ void Canvas::text(Point anchor, std::string_view text, const TextStyle& style) {
     constexpr double far = 1e6;  // beyond that nothing is visible, and pixels would not fit an int
     if (!(std::abs(anchor.x) < far && std::abs(anchor.y) < far) || !std::isfinite(style.angle)) return;
     const TextLine line = lay_out(self.font, text, style.size);
-    const Direction direction{style.angle};
+    const LineDirection direction{style.angle};
     const Point start = alignment(line.extent, style);
     for (const PlacedGlyph& placed : line.glyphs) {
         const double along = start.x + placed.x, up = start.y + placed.y;

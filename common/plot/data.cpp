@@ -26,10 +26,10 @@ class Table {
     /// A row; cells of `value` and `error` stay empty without a pointer.
     void row(double x, double y, const double* value = nullptr, const double* error = nullptr) {
         auto out = std::back_inserter(text_);
-        fmt::format_to(out, "{},{},{},", start_, x, y);
-        if (value) fmt::format_to(out, "{}", *value);
+        fmt::format_to(out, "{},{:.7g},{:.7g},", start_, x, y);
+        if (value) fmt::format_to(out, "{:.7g}", *value);
         text_ += ',';
-        if (error) fmt::format_to(out, "{}", *error);
+        if (error) fmt::format_to(out, "{:.7g}", *error);
         text_ += '\n';
     }
 

@@ -1,5 +1,6 @@
 #include "common/plot/figure.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -57,6 +58,21 @@ Band& Panel::band(Values x_values, Values low, Values high, std::string label) {
 
 Discs& Panel::particles(Discs added) {
     return discs.emplace_back(std::move(added));
+}
+
+Panel& Panel::bars(const std::vector<std::string>& names, const Values& values) {
+    constexpr double half = 0.3;
+    if (names.size() != values.size()) throw std::invalid_argument{"bars: as many names as values"};
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const double at = static_cast<double>(values.size() - k);
+        y.ticks.push_back(at);
+        y.tick_names.push_back(names[k]);
+        band({0, values[k]}, {at - half, at - half}, {at + half, at + half}).colour = cycle(0);
+    }
+    if (!x.range && !values.empty())
+        x.range = std::array{0.0, 1.1 * *std::max_element(values.begin(), values.end())};
+    grid = false;
+    return *this;
 }
 
 Field& Panel::field(Field added) {

@@ -142,6 +142,8 @@ struct Panel {
     /// Markers without a line.
     Curve& points(Values x_values, Values y_values, Style style = {});
     Band& band(Values x_values, Values low, Values high, std::string label = {});
+    /// Horizontal bars from 0 to the values, named at the left, the first on top.
+    Panel& bars(const std::vector<std::string>& names, const Values& values);
     Discs& particles(Discs discs);
     Field& field(Field field);
     Arrows& vectors(Arrows arrows);

@@ -15,9 +15,9 @@ constexpr double gap = 0.04;         // before a script, and behind it
 constexpr double italic_gap = 0.06;  // more before a superscript of slanted text
 constexpr double capital = 0.73;     // height of capitals and digits
 
-class Layout {
+class LineLayout {
   public:
-    Layout(const Font& font, TextLine& line) : font_{font}, line_{line} {}
+    LineLayout(const Font& font, TextLine& line) : font_{font}, line_{line} {}
 
     /// Sets runs from x on the baseline y; returns where the pen stands then.
     double set(const std::vector<TextRun>& runs, double x, double y, double size) {
@@ -63,7 +63,7 @@ TextLine lay_out(const Font& font, std::string_view text, double size) {
     TextLine line;
     line.extent.ascent = font.box(font.glyph(U'l'), size, false).top;
     line.extent.descent = -font.box(font.glyph(U'p'), size, false).bottom;
-    const double end = Layout{font, line}.set(parse_markup(text), 0, 0, size);
+    const double end = LineLayout{font, line}.set(parse_markup(text), 0, 0, size);
     line.extent.width = std::max(line.extent.width, end);
     return line;
 }

@@ -36,8 +36,8 @@ class Studio {
     std::unique_ptr<Implementation> self_;
 };
 
-/// The data of every curve, band, disc, field and arrow as CSV, one row a point; each number has the fewest
-/// digits that read back as the same double. Columns: panel,kind,label,x,y,value,error (panel is its letter;
+/// The data of every curve, band, disc, field and arrow as CSV, one row a point, with the seven digits that a
+/// drawing can show. Columns: panel,kind,label,x,y,value,error (panel is its letter;
 /// unused cells are empty). Bands have rows of the kinds "band low" and "band high", their bounds in y;
 /// arrows of the kinds "arrow u" and "arrow v", the components in value.
 std::string data_csv(const Figure& figure);

@@ -7,44 +7,30 @@
 #include <stdexcept>
 #include <thread>
 
+#include "common/app/clock.hpp"
 #include "common/app/error.hpp"
 #include "common/app/program.hpp"
 #include "common/app/progress.hpp"
 #include "common/report/chapter_run.hpp"
+#include "common/report/chapter_text.hpp"
+#include "common/report/entry.hpp"
 
 namespace report {
 namespace {
 
-/// A figure of the book or a scene of the reader's own.
-struct Entry {
-    std::string name, description;
-    std::function<void(Run&)> make;
-};
-
-std::vector<std::string> names_of(const std::vector<Entry>& entries) {
-    std::vector<std::string> names;
-    for (const auto& entry : entries) names.push_back(entry.name);
-    return names;
-}
-
-const Entry& find(const std::vector<Entry>& entries, const std::string& name) {
-    return *std::find_if(entries.begin(), entries.end(),
-                         [&](const Entry& entry) { return entry.name == name; });
-}
-
-std::string listed(const std::string& title, const std::vector<Entry>& entries) {
-    if (entries.empty()) return "";
-    std::size_t width = 0;
-    for (const auto& entry : entries) width = std::max(width, entry.name.size());
-    std::string text = title + ":\n";
-    for (const auto& entry : entries)
-        text += fmt::format("  {:<{}}  {}\n", entry.name, width, entry.description);
-    return text;
-}
-
 /// Options that do not change what a figure shows: they must not change its bytes either.
 std::vector<std::string> not_of_the_figure() {
-    return {"out", "only", "scene", "list", "threads", "update-text", "check-text"};
+    return {"out", "only", "scene", "list", "threads", "timed", "update-text", "check-text"};
+}
+
+/// The word behind --name, or "".
+std::string word_after(const std::string& name, int argc, const char* const* argv) {
+    for (int k = 1; k < argc; ++k) {
+        const std::string word = argv[k];
+        if (word == name && k + 1 < argc) return argv[k + 1];
+        if (word.starts_with(name + "=")) return word.substr(name.size() + 1);
+    }
+    return "";
 }
 
 long default_threads() {
@@ -61,7 +47,7 @@ struct Chapter::Implementation {
     std::vector<Entry> figures, scenes;
 
     bool quick = false, list = false, update_text = false, check_text = false;
-    std::string out, only, scene;
+    std::string out, only, scene, timed = "all";
     long threads = default_threads(), seed = 1;
 
     Settings settings;
@@ -75,22 +61,20 @@ struct Chapter::Implementation {
           root{std::move(root_folder)},
           options{place.folder, title} {}
 
-    std::filesystem::path readme() const { return root / place.readme; }
-
-    void declare_options();
+    void declare_options(int argc, const char* const* argv);
     void refuse_contradictions() const;
+    void refuse_foreign_options() const;
     Settings chosen_settings() const;
+    std::vector<Entry> chosen_figures() const;
     void run();
     void run_scene();
     void run_figures();
     void write_results(const Results& fresh, const Results& older,
                        const std::vector<std::string>& made) const;
     Results older_results() const;
-    void compare_text(const std::string& markdown) const;
-    void rewrite_text(const std::string& markdown) const;
 };
 
-void Chapter::Implementation::declare_options() {
+void Chapter::Implementation::declare_options(int argc, const char* const* argv) {
     options.flag("quick", quick, "fewer points: a first look within seconds")
         .text("out", out, "DIR",
               fmt::format("folder of figures and results; default renders/{0}, build/quick/{0} with --quick, "
@@ -103,11 +87,47 @@ void Chapter::Implementation::declare_options() {
     options.flag("list", list, "list figures and scenes, and exit")
         .integer("threads", threads, 1, 256, "number of threads")
         .integer("seed", seed, 0, std::numeric_limits<long>::max(), "seed of the random numbers")
+        .choice("timed", timed, {"all", "only", "none"},
+                "which figures: all, those that show times, or the others")
         .flag("update-text", update_text, "after a full run, rewrite the numbers in the chapter's README.md")
         .flag("check-text", check_text,
               "compute all, draw nothing, compare the numbers in the chapter's README.md")
-        .footer(fmt::format("\n{}{}", listed("Figures (--only NAME)", figures),
-                            listed("Scenes (--scene NAME)", scenes)));
+        .footer(fmt::format("\n{}{}{}{}", listed("Figures (--only NAME)", figures),
+                            listed("Scenes (--scene NAME)", scenes), options_of(figures, "--only"),
+                            options_of(scenes, "--scene")));
+    // What is chosen takes its options; the others' are known, to be refused by name.
+    const std::string chosen_figure = word_after("--only", argc, argv);
+    const std::string chosen_scene = word_after("--scene", argc, argv);
+    for (const Entry& entry : figures) {
+        if (entry.name == chosen_figure && entry.task.declare) entry.task.declare(options);
+    }
+    for (const Entry& entry : scenes) {  // both together are refused later
+        if (entry.name == chosen_scene && chosen_figure.empty() && entry.task.declare)
+            entry.task.declare(options);
+    }
+    options.foreign();
+    for (const auto* entries : {&figures, &scenes}) {
+        for (const Entry& entry : *entries) {
+            if (entry.task.declare) entry.task.declare(options);
+        }
+    }
+}
+
+/// Names who takes an option that the run does not.
+void Chapter::Implementation::refuse_foreign_options() const {
+    const auto given = options.refused();
+    if (given.empty()) return;
+    std::string takers;
+    for (const auto& [entries, choice] : {std::pair{&figures, "--only "}, {&scenes, "--scene "}}) {
+        for (const Entry& entry : *entries) {
+            if (entry.takes(given.front().substr(2)))
+                takers += (takers.empty() ? "" : ", ") + (choice + entry.name);
+        }
+    }
+    const std::string who = !only.empty()    ? "the figure " + only
+                            : !scene.empty() ? "the scene " + scene
+                                             : "a run of all figures";
+    throw app::UsageError{given.front() + ": " + who + " does not take it; allowed with " + takers};
 }
 
 void Chapter::Implementation::refuse_contradictions() const {
@@ -116,10 +136,13 @@ void Chapter::Implementation::refuse_contradictions() const {
     };
     refuse(!only.empty() && !scene.empty(), "--only: not allowed together with --scene");
     refuse(update_text && check_text, "--update-text: not allowed together with --check-text");
+    refuse(timed != "all" && (!only.empty() || !scene.empty()),
+           "--timed: not allowed together with --only or --scene");
     for (const auto& [given, name] :
          {std::pair{update_text, "--update-text"}, {check_text, "--check-text"}}) {
         const std::string reason = std::string{name} + ": needs a full run, not allowed together with ";
         refuse(given && quick, reason + "--quick");
+        refuse(given && timed != "all", reason + "--timed");
         refuse(given && !only.empty(), reason + "--only");
         refuse(given && !scene.empty(), reason + "--scene");
         const std::string changed = options.changed(not_of_the_figure());
@@ -154,41 +177,24 @@ Results Chapter::Implementation::older_results() const {
     }
 }
 
-/// Writes the fresh rows, and the older ones of the figures that have not been made anew, in the book's
-/// order.
+/// Writes the fresh rows, and the older ones of figures and scenes that there still are and that have not
+/// been made anew, in the book's order.
 void Chapter::Implementation::write_results(const Results& fresh, const Results& older,
                                             const std::vector<std::string>& made) const {
     Results all;
-    const bool complete =
-        made.size() == figures.size();  // then nothing older is left, not even of lost figures
     for (const auto& row : older.rows()) {
-        if (complete || std::find(made.begin(), made.end(), row.scene) != made.end()) continue;
-        all.add(row.scene, row.method, row.n, row.quantity, row.value, row.unit);
+        const bool anew = std::find(made.begin(), made.end(), row.scene) != made.end();
+        if (!anew && (find(figures, row.scene) || find(scenes, row.scene)))
+            all.add(row.scene, row.method, row.n, row.quantity, row.value, row.unit);
     }
     all.append(fresh);
     all.sort_by_scene(names_of(figures));
     all.write(settings.out / "results.csv");
 }
 
-void Chapter::Implementation::compare_text(const std::string& markdown) const {
-    const auto found = differences(markdown, blocks);
-    for (const auto& line : found) fmt::print(stderr, "{}\n", line);
-    if (!found.empty())
-        throw app::Error{app::ExitCode::failed,
-                         fmt::format("{}: {} {}", readme().string(), found.size(),
-                                     found.size() == 1 ? "difference" : "differences")};
-}
-
-void Chapter::Implementation::rewrite_text(const std::string& markdown) const {
-    try {
-        app::write_file(readme(), fill(markdown, blocks));
-    } catch (const std::invalid_argument& error) {
-        throw app::Error{app::ExitCode::failed, readme().string() + ": " + error.what()};
-    }
-}
-
 void Chapter::Implementation::run() {
     refuse_contradictions();
+    refuse_foreign_options();
     if (list) return app::write_stdout(listed("figures", figures) + listed("scenes", scenes));
     settings = chosen_settings();
     // Nothing is worse than to learn after a long computation that its results cannot be written.
@@ -198,13 +204,14 @@ void Chapter::Implementation::run() {
 }
 
 void Chapter::Implementation::run_scene() {
-    const Entry& entry = find(scenes, scene);
+    const Entry& entry = *find(scenes, scene);
     settings.metadata.command = place.command + " --scene " + scene;
     if (settings.metadata.parameters != "default")
         settings.metadata.command += " " + settings.metadata.parameters;
     const Results older = older_results();
-    FigureRun figure_run{scene, settings, studio, blocks};
-    entry.make(figure_run);
+    app::Progress progress{place.title, 1};
+    FigureRun figure_run{scene, true, settings, studio, blocks, progress};
+    entry.task.make(figure_run);
     if (figure_run.results().rows().empty()) return;
     Results all = figure_run.results();
     all.merge_older(older);
@@ -212,29 +219,40 @@ void Chapter::Implementation::run_scene() {
     app::write_stdout(figure_run.results().csv());
 }
 
+std::vector<Entry> Chapter::Implementation::chosen_figures() const {
+    if (!only.empty()) return {*find(figures, only)};
+    std::vector<Entry> chosen;
+    std::copy_if(figures.begin(), figures.end(), std::back_inserter(chosen),
+                 [&](const Entry& entry) { return timed == "all" || entry.timed == (timed == "only"); });
+    return chosen;
+}
+
 void Chapter::Implementation::run_figures() {
-    const bool needs_text = update_text || check_text;
-    const std::string markdown = needs_text ? app::read_file(readme()) : "";
-    const std::vector<Entry> made = only.empty() ? figures : std::vector{find(figures, only)};
+    const std::vector<Entry> made = chosen_figures();
     const Results older = check_text ? Results{} : older_results();
     Results fresh;
     std::vector<std::string> finished;
+    const double begin = app::process_cpu_seconds();
     app::Progress progress{place.title, static_cast<int>(made.size())};
     for (const auto& entry : made) {
         progress.begin(entry.name);
+        settings.threads = entry.timed ? 1 : static_cast<int>(threads);
         settings.metadata.command = place.command + " --only " + entry.name;
         if (settings.metadata.parameters != "default")
             settings.metadata.command += " " + settings.metadata.parameters;
-        FigureRun figure_run{entry.name, settings, studio, blocks};
-        entry.make(figure_run);
+        FigureRun figure_run{entry.name, entry.timed, settings, studio, blocks, progress};
+        entry.task.make(figure_run);
         fresh.append(figure_run.results());
         finished.push_back(entry.name);
         // After each figure: what is finished stays if a later one fails or Ctrl-C is pressed.
         if (!check_text) write_results(fresh, older, finished);
         progress.finish(entry.name);
     }
-    if (check_text) compare_text(markdown);
-    if (update_text) rewrite_text(markdown);
+    if (check_text) compare_text(root / place.readme, blocks);
+    if (update_text) {
+        rewrite_text(root / place.readme, blocks);
+        rewrite_seconds(root / "README.md", place.folder, app::process_cpu_seconds() - begin);
+    }
 }
 
 Place Place::of_chapter(const std::string& folder) {
@@ -255,23 +273,24 @@ Chapter::~Chapter() = default;
 Chapter::Chapter(Chapter&&) noexcept = default;
 Chapter& Chapter::operator=(Chapter&&) noexcept = default;
 
-app::CommandLine& Chapter::options() {
-    return self_->options;
-}
-
-Chapter& Chapter::figure(std::string name, std::string description, std::function<void(Run&)> make) {
-    self_->figures.push_back({std::move(name), std::move(description), std::move(make)});
+Chapter& Chapter::figure(std::string name, std::string description, Task task) {
+    self_->figures.push_back({std::move(name), std::move(description), std::move(task)});
     return *this;
 }
 
-Chapter& Chapter::scene(std::string name, std::string description, std::function<void(Run&)> make) {
-    self_->scenes.push_back({std::move(name), std::move(description), std::move(make)});
+Chapter& Chapter::timed_figure(std::string name, std::string description, Task task) {
+    self_->figures.push_back({std::move(name), std::move(description), std::move(task), true});
+    return *this;
+}
+
+Chapter& Chapter::scene(std::string name, std::string description, Task task) {
+    self_->scenes.push_back({std::move(name), std::move(description), std::move(task)});
     return *this;
 }
 
 int Chapter::main(int argc, const char* const* argv) {
     return app::run([&] {
-        self_->declare_options();
+        self_->declare_options(argc, argv);
         if (self_->options.parse(argc, argv)) self_->run();
     });
 }

@@ -2,18 +2,31 @@
 
 #include <stdexcept>
 
+#include "common/app/clock.hpp"
 #include "common/app/files.hpp"
 #include "common/app/program.hpp"
 
 namespace report {
 
-FigureRun::FigureRun(std::string scene, const Settings& settings, std::optional<plot::Studio>& studio,
-                     Blocks& blocks)
-    : scene_{std::move(scene)}, settings_{settings}, studio_{studio}, blocks_{blocks} {}
+FigureRun::FigureRun(std::string scene, bool timed, const Settings& settings,
+                     std::optional<plot::Studio>& studio, Blocks& blocks, app::Progress& progress)
+    : scene_{std::move(scene)},
+      timed_{timed},
+      settings_{settings},
+      studio_{studio},
+      blocks_{blocks},
+      progress_{progress} {}
+
+/// Times of a figure that runs beside others would be wrong.
+void FigureRun::require_timed(bool is_time, const std::string& what) const {
+    if (is_time && !timed_)
+        throw std::logic_error{scene_ + ": " + what + " is a time, so this must be a timed_figure"};
+}
 
 void FigureRun::result(const std::string& method, long n, const std::string& quantity, double value,
                        const std::string& unit) {
     app::check_interrupt();  // a figure hands over results often enough for Ctrl-C to be noticed here
+    require_timed(unit == "s" || unit == "ns", quantity);
     results_.add(scene_, method, n, quantity, value, unit);
 }
 
@@ -25,16 +38,18 @@ void FigureRun::save(const plot::Figure& figure) {
 }
 
 void FigureRun::fill(const std::string& name, const std::string& text) {
+    require_timed(text.find("≈") != std::string::npos, "the text " + name);
     const auto [place, added] = blocks_.emplace(name, text);
     if (!added && place->second != text)
         throw std::invalid_argument{"the text " + name + " is filled twice, with different contents"};
 }
 
 Timing FigureRun::time(const std::function<void()>& work) {
+    require_timed(true, "what it measures");
     if (settings_.check_text) {
-        const double start = thread_cpu_seconds();
+        const double start = app::thread_cpu_seconds();
         work();
-        const double seconds = thread_cpu_seconds() - start;
+        const double seconds = app::thread_cpu_seconds() - start;
         return {seconds, seconds, 1};
     }
     return settings_.quick ? report::time(work, 3, 0.002) : report::time(work, 5, 0.004);
@@ -46,6 +61,10 @@ void FigureRun::write(const std::string& file_name, const std::string& text) {
 
 void FigureRun::print(const std::string& text) {
     if (!settings_.check_text) app::write_stdout(text);
+}
+
+std::function<void(double)> FigureRun::progress() {
+    return [this](double share) { progress_.share(scene_, share); };
 }
 
 }  // namespace report

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "common/app/progress.hpp"
 #include "common/plot/save.hpp"
 #include "common/report/chapter.hpp"
 
@@ -22,9 +23,10 @@ struct Settings {
 /// One figure's or scene's run: its rows are kept apart until it is complete.
 class FigureRun : public Run {
   public:
-    /// `studio` is opened at the first figure that is drawn; `blocks` are those of all figures.
-    FigureRun(std::string scene, const Settings& settings, std::optional<plot::Studio>& studio,
-              Blocks& blocks);
+    /// `studio` is opened at the first figure that is drawn; `blocks` are those of all figures; only a
+    /// `timed` run may hand over times.
+    FigureRun(std::string scene, bool timed, const Settings& settings, std::optional<plot::Studio>& studio,
+              Blocks& blocks, app::Progress& progress);
 
     bool quick() const override { return settings_.quick; }
     bool checking() const override { return settings_.check_text; }
@@ -37,14 +39,19 @@ class FigureRun : public Run {
     Timing time(const std::function<void()>& work) override;
     void write(const std::string& file_name, const std::string& text) override;
     void print(const std::string& text) override;
+    std::function<void(double)> progress() override;
 
     const Results& results() const { return results_; }
 
   private:
+    void require_timed(bool is_time, const std::string& what) const;
+
     std::string scene_;
+    bool timed_;
     const Settings& settings_;
     std::optional<plot::Studio>& studio_;
     Blocks& blocks_;
+    app::Progress& progress_;
     Results results_;
 };
 

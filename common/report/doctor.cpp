@@ -1,11 +1,27 @@
 // ./tutorial doctor: what this build draws with and computes with, one line each.
-#include <Eigen/Core>
 #include <thread>
 
 #include "common/app/command_line.hpp"
 #include "common/app/files.hpp"
 #include "common/app/program.hpp"
 #include "common/plot/save.hpp"
+
+namespace {
+
+/// The vector instructions that this build may use.
+const char* simd() {
+#if defined(__AVX512F__)
+    return "AVX-512: 8 doubles at a time";
+#elif defined(__AVX2__)
+    return "AVX2: 4 doubles at a time";
+#elif defined(__AVX__)
+    return "AVX: 4 doubles at a time";
+#else
+    return "2 doubles at a time";
+#endif
+}
+
+}  // namespace
 
 int main() {
     return app::run([] {
@@ -18,8 +34,7 @@ int main() {
         line("version", app::version());
         line("compiler", __VERSION__);
         line("renderer", studio.renderer());
-        line("SIMD", std::string{Eigen::SimdInstructionSetsInUse()} + ": " +
-                         std::to_string(Eigen::internal::packet_traits<double>::size) + " doubles at a time");
+        line("SIMD", simd());
         line("threads", std::to_string(std::thread::hardware_concurrency()));
         app::write_stdout(text);
     });

@@ -62,6 +62,10 @@ double linf_error(Span value, Span exact) {
     return relative(error, scale);
 }
 
+double SquaredError::relative() const {
+    return std::sqrt(error_ / size_);
+}
+
 double observed_order(double n1, double e1, double n2, double e2) {
     require_positive(n1, e1);
     require_positive(n2, e2);

@@ -84,6 +84,14 @@ std::string fixed(double value, int decimals) {
     return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
+std::string percent(double value) {
+    return number(100 * value, 2);
+}
+
+std::string below(double value) {
+    return "< 1e" + std::to_string(static_cast<int>(std::ceil(std::log10(std::max(std::abs(value), 1e-15)))));
+}
+
 std::string csv_row(const std::vector<double>& values) {
     std::string row;
     for (const double value : values) {
@@ -95,6 +103,19 @@ std::string csv_row(const std::vector<double>& values) {
     return row + '\n';
 }
 
+std::string csv(const NamedColumns& columns) {
+    std::string text;
+    for (const auto& [name, column] : columns) text += (text.empty() ? "" : ",") + name;
+    text += '\n';
+    const std::size_t rows = columns.empty() ? 0 : columns.front().second.size();
+    for (std::size_t i = 0; i < rows; ++i) {
+        std::vector<double> row;
+        for (const auto& [name, column] : columns) row.push_back(column[i]);
+        text += csv_row(row);
+    }
+    return text;
+}
+
 std::string timing(double value, int digits) {
     if (!(value >= 1 && value < 1e6)) return "≈" + number(value, digits);
     const double unit = std::pow(10, std::floor(std::log10(value)) + 1 - digits);
@@ -103,17 +124,12 @@ std::string timing(double value, int digits) {
            fmt::format("{:.{}f}", rounded, unit < 1 ? static_cast<int>(std::round(-std::log10(unit))) : 0);
 }
 
-std::string fill(const std::string& markdown, const Blocks& blocks, bool shows_all) {
-    const auto marked = find_marked(markdown);
-    if (const auto missing = not_shown(marked, blocks); shows_all && !missing.empty())
-        throw std::invalid_argument{"the text has no <!-- fill " + missing.front() + " -->"};
+std::string refill(const std::string& markdown, const Blocks& blocks) {
     std::string filled;
     std::size_t position = 0;
-    for (const auto& block : marked) {
+    for (const auto& block : find_marked(markdown)) {
         const auto found = blocks.find(block.name);
-        if (found == blocks.end())
-            throw std::invalid_argument{"nothing to put between <!-- fill " + block.name +
-                                        " --> and its end"};
+        if (found == blocks.end()) continue;
         if (found->second.find("<!--") != std::string::npos)
             throw std::invalid_argument{"the text for <!-- fill " + block.name +
                                         " --> holds a comment itself"};
@@ -122,6 +138,18 @@ std::string fill(const std::string& markdown, const Blocks& blocks, bool shows_a
         position = block.end;
     }
     return filled.append(markdown, position);
+}
+
+std::string fill(const std::string& markdown, const Blocks& blocks) {
+    const auto marked = find_marked(markdown);
+    if (const auto missing = not_shown(marked, blocks); !missing.empty())
+        throw std::invalid_argument{"the text has no <!-- fill " + missing.front() + " -->"};
+    for (const auto& block : marked) {
+        if (!blocks.contains(block.name))
+            throw std::invalid_argument{"nothing to put between <!-- fill " + block.name +
+                                        " --> and its end"};
+    }
+    return refill(markdown, blocks);
 }
 
 std::vector<std::string> differences(const std::string& markdown, const Blocks& blocks) {

@@ -1,6 +1,8 @@
 #pragma once
 #include <map>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace report {
@@ -12,12 +14,20 @@ namespace report {
 std::string number(double value, int digits);
 /// `value` with `decimals` (0..15) digits after the point; never "-0.0".
 std::string fixed(double value, int decimals);
+/// 100 times the value, with two digits: "0.46".
+std::string percent(double value);
+/// "< 1e-9": the power of ten above |value|. A drift of rounding has no digits that another compiler would
+/// repeat.
+std::string below(double value);
 /// A measured time or speed: "≈" and the number. Filled into texts, never compared: it differs from run to
 /// run. From 1 to a million in plain digits: "≈2.4", "≈240", "≈15000".
 std::string timing(double value, int digits = 2);
 
 /// A row of a CSV file, "1,2.5\n": every digit of the doubles.
 std::string csv_row(const std::vector<double>& values);
+/// Columns of one length under their names, as a CSV file.
+using NamedColumns = std::vector<std::pair<std::string, std::span<const double>>>;
+std::string csv(const NamedColumns& columns);
 
 /// A table, printed as GitHub Markdown; numbers are right-aligned.
 class Table {
@@ -37,8 +47,10 @@ using Blocks = std::map<std::string, std::string>;
 
 /// `markdown` with every marked block replaced. A text with newlines stands on lines of its own.
 /// Throws std::invalid_argument for a marker without end, a marked name that is not in `blocks`, or a block
-/// of `blocks` that the text never shows (`shows_all` false skips the last check).
-std::string fill(const std::string& markdown, const Blocks& blocks, bool shows_all = true);
+/// of `blocks` that the text never shows.
+std::string fill(const std::string& markdown, const Blocks& blocks);
+/// The same for some of the blocks: what is not in `blocks` stays as it is.
+std::string refill(const std::string& markdown, const Blocks& blocks);
 
 /// Differences between the marked blocks of `markdown` and `blocks`, one line each. Words must be equal;
 /// a number may differ by one unit of the last digit that both print (rounding on another machine); numbers

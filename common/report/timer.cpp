@@ -1,13 +1,11 @@
 #include "common/report/timer.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <ctime>
 #include <stdexcept>
-#include <system_error>
 #include <vector>
 
+#include "common/app/clock.hpp"
 #include "common/app/program.hpp"
 
 namespace report {
@@ -16,19 +14,12 @@ namespace {
 /// CPU seconds of `calls` calls in a row.
 double sample(const std::function<void()>& work, long calls) {
     app::check_interrupt();
-    const double start = thread_cpu_seconds();
+    const double start = app::thread_cpu_seconds();
     for (long k = 0; k < calls; ++k) work();
-    return thread_cpu_seconds() - start;
+    return app::thread_cpu_seconds() - start;
 }
 
 }  // namespace
-
-double thread_cpu_seconds() {
-    timespec now{};
-    if (::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) != 0)
-        throw std::system_error{errno, std::generic_category(), "CPU clock"};
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 Timing time(const std::function<void()>& work, int repeats, double seconds_per_sample) {
     if (repeats < 1 || !(seconds_per_sample >= 0))

@@ -3,10 +3,6 @@
 
 namespace report {
 
-/// CPU seconds that the calling thread has used so far (not wall time: other users of the machine do not
-/// count).
-double thread_cpu_seconds();
-
 struct Timing {
     double best = 0, median = 0;  ///< CPU seconds of one call
     long calls = 0;               ///< calls in all

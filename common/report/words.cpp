@@ -98,10 +98,17 @@ std::vector<Token> tokens(std::string_view line) {
     return list;
 }
 
-/// Lines without what depends on the widths of a table's columns: runs of spaces and of dashes count as one.
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+    for (std::size_t k = 0; (k = text.find(from, k)) != std::string::npos; k += to.size())
+        text.replace(k, from.size(), to);
+    return text;
+}
+
+/// Lines without what depends on the widths of a table's columns: runs of spaces and of dashes count as one;
+/// and without what depends on times: a bound of a timing, or none, is a timing.
 std::vector<std::string> lines_of(std::string_view text) {
     std::vector<std::string> lines;
-    std::istringstream stream{std::string{text}};
+    std::istringstream stream{replaced(replaced(std::string{text}, "≤ ≈", "≈"), "≈–", "≈0")};
     for (std::string line; std::getline(stream, line);) {
         std::string kept;
         for (char c : line) {

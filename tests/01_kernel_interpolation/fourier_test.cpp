@@ -5,6 +5,7 @@
 #include "chapters/01_kernel_interpolation/scenes/integral.hpp"
 
 using namespace sph;
+using namespace sph::interpolation;
 
 TEST_CASE("transforms agree with quadrature") {
     // Measured: 1.3e-13 at most (Wendland C6 just above the change of method at 2 kappa = 6), rounding

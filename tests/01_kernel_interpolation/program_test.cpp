@@ -20,6 +20,22 @@ TEST_CASE("bad options are refused in one line that names them") {
     CHECK(folder.files() == 0);
 }
 
+TEST_CASE("an option that a figure or scene does not take is refused, naming those that do") {
+    // Fails if a declared option is ignored by what was chosen.
+    const Folder folder;
+    const std::string out = " --out " + folder.path.string();
+    check_refused("--kernel quintic" + out, 2,
+                  "a run of all figures does not take it; allowed with --only inter");
+    check_refused("--only kernels --kernel quintic" + out, 2, "the figure kernels does not take it");
+    check_refused("--only convergence --particles 64" + out, 2,
+                  "--only interpolation, --only map, --scene inter");
+    check_refused("--only map --dimension 2" + out, 2, "--scene interpolate, --scene kernel");
+    check_refused("--only second-derivatives --arrangement even" + out, 2, "--scene interpolate");
+    check_refused("--scene kernel --jitter 0.1" + out, 2, "the scene kernel does not take it");
+    check_refused("--scene interpolate --only map" + out, 2, "--scene");
+    CHECK(folder.files() == 0);
+}
+
 TEST_CASE("what cannot be written is said before anything is computed") {
     const Folder folder;
     check_refused("--only kernels --out /dev/null/x", 4, "/dev/null/x");

@@ -5,6 +5,7 @@
 #include "chapters/02_consistency/scenes/hard_sets.hpp"
 
 using namespace sph;
+using namespace sph::consistency;
 
 namespace {
 
@@ -69,20 +70,31 @@ TEST_CASE("hard case: random particles with few neighbours") {
     CHECK(plane.repairs.left == 0);
 }
 
+namespace {
+
+using Plane = Particles<2, Position, Volume, Quantity, MatrixGradient<>, Extent>;
+
+/// The slopes by the cubic spline, repaired where the neighbours do not determine them.
+Repairs slopes_and_repairs(Plane& particles, double h) {
+    const auto effects = [](double length) { return Effects{MatrixGradient<>{}, Extent{.h = length}}; };
+    const ConstantH<AnyKernel<2>> smoothing{h, AnyKernel<2>{"cubic"}};
+    Neighbours<2> neighbours;
+    neighbours.find(particles.x, smoothing.reach());
+    sum_over_neighbours(particles, neighbours, smoothing, effects(h));
+    return repair(particles, Free{}, smoothing, effects);
+}
+
+}  // namespace
+
 TEST_CASE("a repair that cannot succeed ends, and says so") {
     // All particles on one line in 2D: no h determines the slope across.
-    using K = CubicSpline<2>;
-    Particles<2, Position, Volume, Quantity, MatrixGradient<>, Extent> line{20};
+    Plane line{20};
     for (std::size_t i = 0; i < 20; ++i) {
         line.x[0][i] = line.x[1][i] = 0.1 * static_cast<double>(i);
         line.A[i] = 3 * line.x[0][i];
         line.V[i] = 0.01;
     }
-    const auto effects = [](double h) { return Effects{MatrixGradient<>{}, Extent{.h = h}}; };
-    Neighbours<2> neighbours;
-    neighbours.find(line.x, 0.4);
-    sum_over_neighbours(line, neighbours, ConstantH<K>{0.2}, effects(0.2));
-    const Repairs repairs = repair<K>(line, Free{}, 0.2, effects);
+    const Repairs repairs = slopes_and_repairs(line, 0.2);
     CHECK(repairs.flagged == 20);
     CHECK(repairs.left == 20);
     for (std::size_t i = 0; i < 20; ++i) {
@@ -95,20 +107,13 @@ TEST_CASE("a repair that cannot succeed ends, and says so") {
 TEST_CASE("a pair out of each other's reach is given the slope along the line between them") {
     // Nothing determines the slope across. Fails if the last h, which sees the pair as one point, has the
     // last word.
-    using K = CubicSpline<2>;
-    Particles<2, Position, Volume, Quantity, MatrixGradient<>, Extent> pair{2};
+    Plane pair{2};
     pair.x[0] = {0, 0.3};
     pair.x[1] = {0, 0.4};
     pair.A = {1, 2};
     pair.V = {0.01, 0.01};
-    const auto effects = [](double h) { return Effects{MatrixGradient<>{}, Extent{.h = h}}; };
-    const Repairs repairs = [&] {
-        Neighbours<2> neighbours;
-        neighbours.find(pair.x, 0.2);
-        sum_over_neighbours(pair, neighbours, ConstantH<K>{0.1}, effects(0.1));
-        CHECK(pair.matrix[0][0] == 0);
-        return repair<K>(pair, Free{}, 0.1, effects);
-    }();
+    const Repairs repairs = slopes_and_repairs(pair, 0.1);
+    CHECK(repairs.flagged == 2);
     CHECK(repairs.left == 2);
     CHECK(pair.matrix[0][0] == Approx(2 * 0.6).epsilon(1e-12));  // 1 over a distance of 0.5, along (0.6, 0.8)
     CHECK(pair.matrix[1][0] == Approx(2 * 0.8).epsilon(1e-12));

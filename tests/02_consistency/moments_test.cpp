@@ -3,9 +3,10 @@
 #include <catch2/catch.hpp>
 
 #include "chapters/01_kernel_interpolation/fourier.hpp"
-#include "chapters/02_consistency/scenes/measured.hpp"
+#include "chapters/02_consistency/scenes/defects.hpp"
 
 using namespace sph;
+using namespace sph::consistency;
 
 namespace {
 

@@ -19,6 +19,19 @@ TEST_CASE("bad options are refused in one line that names them") {
     CHECK(folder.files() == 0);
 }
 
+TEST_CASE("an option that a figure or scene does not take is refused, naming those that do") {
+    // Fails if a declared option is ignored by what was chosen.
+    const Folder folder;
+    const std::string out = " --out " + folder.path.string();
+    check_refused("--kernel cubic" + out, 2,
+                  "a run of all figures does not take it; allowed with --only moments");
+    check_refused("--only moments --jitter 0.1" + out, 2, "the figure moments does not take it");
+    check_refused("--only maps --particles 32" + out, 2, "allowed with --scene interpolate");
+    check_refused("--only step --kernel cubic" + out, 2, "the figure step does not take it");
+    check_refused("--only convergence --function line" + out, 2, "allowed with --scene interpolate");
+    CHECK(folder.files() == 0);
+}
+
 TEST_CASE("a reader's scene: its profile, its figure, its errors, and nothing else") {
     const Folder folder;
     const std::string out = " --out " + folder.path.string();

@@ -1,85 +1,55 @@
 // Jumps, and smoothing lengths that vary.
 #include <catch2/catch.hpp>
 
-#include "chapters/01_kernel_interpolation/scenes/test_function.hpp"
+#include <array>
+
 #include "chapters/02_consistency/discontinuity.hpp"
 #include "chapters/02_consistency/scenes/graded_line.hpp"
+#include "chapters/02_consistency/scenes/jump_line.hpp"
+#include "chapters/02_consistency/scenes/length_rules.hpp"
 #include "chapters/02_consistency/smoothing_lengths.hpp"
 
 using namespace sph;
+using namespace sph::consistency;
 
 TEST_CASE("DSPH is exact for a line with a jump, CSPM is not") {
     // Fails for a jump added with the wrong sign, a neighbour on the wrong side, or x_k and x_i mixed up.
-    using K = QuinticSpline<1>;
-    const std::size_t n = 60;
-    const auto function = [](const Vector<1>& x) { return 1 + 2 * x[0] + (x[0] < 0.4 ? 0.0 : 5.0); };
-    InterpolationWithin<K, Free, Value, DifferenceGradient, Shepard, MatrixGradient<>, BeyondJump,
-                        DiscontinuousFit, OneSidedFit>
-        cloud{Free{}, make_points<1>(Arrangement::jittered, n, 0.3, 6), 1.2 / n, function};
-    const auto& known = cloud.particles();
-    const Jump jump = Jump::find(0.4, known.x[0], known.A);
+    const Function<1> function{[](const Vector<1>& x) { return 1 + 2 * x[0] + (x[0] < 0.4 ? 0.0 : 5.0); },
+                               [](const Vector<1>&) { return Vector<1>{2.0}; }};
+    const JumpLine line = line_with_jump(function, 0.4, 60, 0.3, 6, 1);
+    const auto worst_slope = [&](const std::string& name) {
+        double worst = 0;
+        for (const double slope : line.scheme(name).slope) worst = std::max(worst, std::abs(slope - 2));
+        return worst;
+    };
+    CHECK(worst_slope("dsph") < 1e-11);       // measured 3e-13
+    CHECK(worst_slope("one-sided") < 1e-11);  // measured 3e-13
+    CHECK(worst_slope("cspm") > 100);         // measured 2e2
+    double value = 0;
+    for (std::size_t i = 0; i < line.x.size(); ++i) {
+        if (std::abs(line.x[i] - 0.4) < 0.1)
+            value = std::max(value, std::abs(line.scheme("dsph").value[i] - line.exact[i]));
+    }
+    CHECK(value < 0.05);  // CSPM's own error on a slope of 2; the jump is 5
+    const Jump jump = Jump::find(0.4, line.x, line.exact);
     CHECK(jump.x_left < 0.4);
     CHECK(jump.x_right >= 0.4);
-    const auto& p = cloud.estimate(Effects{Value{}, DifferenceGradient{}, Shepard{}, MatrixGradient<>{},
-                                           BeyondJump{jump}, DiscontinuousFit{jump}, OneSidedFit{}});
-    double dsph = 0, one_sided = 0, cspm = 0, value = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        dsph = std::max(dsph, std::abs(p.dsph[1][i] - 2));
-        one_sided = std::max(one_sided, std::abs(p.one_sided[1][i] - 2));
-        cspm = std::max(cspm, std::abs(p.matrix[0][i] - 2));
-        if (std::abs(p.x[0][i] - 0.4) < 0.1) value = std::max(value, std::abs(p.dsph[0][i] - p.A[i]));
-    }
-    CHECK(dsph < 1e-11);  // measured 3e-13
-    CHECK(one_sided < 1e-11);
-    CHECK(cspm > 100);    // measured 2e2
-    CHECK(value < 0.05);  // CSPM's own error on a slope of 2; the jump is 5
-    CHECK_THROWS_AS(Jump::find(2, known.x[0], known.A), std::invalid_argument);
+    CHECK_THROWS_AS(Jump::find(2, line.x, line.exact), std::invalid_argument);
+    CHECK_THROWS_AS(line_with_jump(function, 2, 60, 0.3, 6, 1), std::invalid_argument);
 }
-
-namespace {
-
-struct PairForce {
-    using Reads = List<Density>;
-    using ReadsJ = List<Mass>;
-    using Adds = List<Acceleration>;
-    void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
-        sum.dv_dt -= (j.m * (1 / i.rho + 1 / j.rho) * pair.F) * pair.x_ij;
-    }
-};
-
-/// The total force over the sum of its sizes, for particles whose h follow their spacing.
-template <class Smoothing>
-double net_force(const Smoothing& smoothing, Support support) {
-    const std::size_t n = 200;
-    Particles<1, Position, Mass, Density, SmoothingLength, Acceleration> line{n};
-    line.x[0] = GradedLine::positions(n);
-    line.m.assign(n, 1.0 / n);
-    Column reach;
-    for (std::size_t i = 0; i < n; ++i) {
-        line.h[i] = 1.2 / n / GradedLine::density(line.x[0][i]);
-        reach.push_back(QuinticSpline<1>::support * line.h[i]);
-    }
-    Neighbours<1> neighbours;
-    neighbours.find(line.x, reach, support);
-    sum_over_neighbours(line, neighbours, smoothing, Effects{SummedDensity{}});
-    sum_over_neighbours(line, neighbours, smoothing, Effects{PairForce{}});
-    double total = 0, size = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        total += line.m[i] * line.dv_dt[0][i];
-        size += std::abs(line.m[i] * line.dv_dt[0][i]);
-    }
-    return std::abs(total) / size;
-}
-
-}  // namespace
 
 TEST_CASE("symmetric kernels keep the momentum, each particle's own h does not") {
     // (60) and (61), with a symmetric search; a gather search alone loses pairs that one side does not see.
-    using K = QuinticSpline<1>;
-    CHECK(net_force(MeanH<K>{}, Support::symmetric) < 1e-13);       // measured 1e-16
-    CHECK(net_force(MeanKernel<K>{}, Support::symmetric) < 1e-13);  // measured 1e-16
-    CHECK(net_force(MeanKernel<K>{}, Support::gather) > 1e-4);
-    CHECK(net_force(OwnH<K>{}, Support::gather) > 1e-3);  // measured 9e-3
+    const auto net_force = [](const std::string& name) {
+        for (const LengthRule& rule : length_rules()) {
+            if (rule.name == name) return rule.run(200).net_force;
+        }
+        throw std::out_of_range{name};
+    };
+    CHECK(net_force("mean-h") < 1e-13);       // measured 1e-16
+    CHECK(net_force("mean-kernel") < 1e-13);  // measured 1e-16
+    CHECK(run_mean_kernel(200, Support::gather).net_force > 1e-4);
+    CHECK(net_force("own-h") > 1e-3);  // measured 9e-3
 }
 
 TEST_CASE("with equal h all rules are the same kernel") {
@@ -87,12 +57,9 @@ TEST_CASE("with equal h all rules are the same kernel") {
     Row<double, 2, SmoothingLength> i;
     i.h = 0.7;
     Row<Tile, 2, SmoothingLength> j;
-    j.h.setConstant(0.7);
-    Vec<Tile, 2> x_ij;
-    for (int lane = 0; lane < 8; ++lane) {
-        x_ij[0][lane] = 0.2 * lane;
-        x_ij[1][lane] = 0.1;
-    }
+    j.h = 0.7;
+    const std::array<double, tile_width> x{0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4};
+    const Vec<Tile, 2> x_ij{Tile::load(x.data()), 0.1};
     const auto constant = ConstantH<K>{0.7}.pair(i, j, x_ij);
     const auto own = OwnH<K>{}.pair(i, j, x_ij);
     const auto mean = MeanH<K>{}.pair(i, j, x_ij);

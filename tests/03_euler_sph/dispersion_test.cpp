@@ -6,6 +6,7 @@
 #include "chapters/03_euler_sph/scenes/wave.hpp"
 
 using namespace sph;
+using namespace sph::euler;
 
 TEST_CASE("the dispersion relation has the digits of an independent computation") {
     // Cubic spline, h = 1.2, gamma = 5/3, from the numerical Jacobian of the equations; 14 digits.
@@ -74,22 +75,22 @@ TEST_CASE("simulated waves have the frequency of the formula") {
 }
 
 TEST_CASE("a standing wave: the best scheme is of fourth order, one h does not converge") {
-    const auto error = [](std::size_t n, const GasScheme& scheme) {
+    const auto error = [](std::size_t n, const GasMethod& scheme) {
         WaveScene wave;
         wave.n = n;
         return run_wave(wave, scheme).error;
     };
-    const GasScheme best{"consistent-h", "super-gaussian", 1.35};
+    const GasMethod best{"consistent-h", "super-gaussian", 1.35};
     const double e16 = error(16, best), e64 = error(64, best);
     CHECK(e64 < 1e-4);  // measured 6.5e-5
     CHECK(e64 > 1e-5);
     CHECK(std::log2(e16 / e64) / 2 > 3.8);  // measured 4.36
     CHECK(std::log2(e16 / e64) / 2 < 5);
-    const GasScheme cubic{"consistent-h", "cubic", 1.2};
+    const GasMethod cubic{"consistent-h", "cubic", 1.2};
     const double order = std::log2(error(16, cubic) / error(64, cubic)) / 2;
     CHECK(order > 1.6);  // measured 1.83
     CHECK(order < 2.2);
-    const GasScheme one_h{"fixed-h", "cubic", 1.2};
+    const GasMethod one_h{"fixed-h", "cubic", 1.2};
     CHECK(error(128, one_h) > error(32, one_h));                               // 0.156, 0.141
     CHECK(error(64, {"without-omega", "cubic", 1.2}) > 3 * error(64, cubic));  // 0.057, 0.018
 }

@@ -14,7 +14,10 @@ TEST_CASE("bad options are refused in one line that names them") {
     check_refused("--scene star --gamma 1" + out, 2, "--gamma");
     check_refused("--scene star --resolution continuity" + out, 2, "--resolution");
     check_refused("--scene star --particles 2000" + out, 2, "8..1000");
-    check_refused("--scene wave --kernel lucy" + out, 2, "--kernel");
+    check_refused("--scene wave --kernel cubik" + out, 2, "cubic");
+    check_refused("--scene wave --amplitude 0.3" + out, 2, "--scene star");
+    check_refused("--only wave --gamma 3" + out, 2, "the figure wave does not take it");
+    check_refused("--kernel quintic" + out, 2, "--scene wave");
     check_refused("--scene slab" + out, 2, "dispersion");
     CHECK(folder.files() == 0);
 }

@@ -29,13 +29,14 @@ double violation(const Cloud<K>& gas) {
 }
 
 template <class K>
-Cloud<K> random_cloud(std::size_t n, std::uint64_t seed, double first_h, HRule rule = {1.2}) {
-    Cloud<K> gas{n, ConsistentH<K>{rule}, {{1}}, Free{}, 1};
+std::unique_ptr<Cloud<K>> random_cloud(std::size_t n, std::uint64_t seed, double first_h,
+                                       HRule rule = {1.2}) {
+    auto gas = std::make_unique<Cloud<K>>(n, ConsistentH<K>{rule}, Barotropic<Quadratic>{{1}}, Free{}, 1);
     Uniform uniform{seed};
     for (std::size_t i = 0; i < n; ++i) {
-        for (auto& x : gas.particles.x) x[i] = uniform() * uniform();  // clusters and loners
-        gas.particles.m[i] = (0.5 + uniform()) / static_cast<double>(n);
-        gas.particles.h[i] = first_h;
+        for (auto& x : gas->particles.x) x[i] = uniform() * uniform();  // clusters and loners
+        gas->particles.m[i] = (0.5 + uniform()) / static_cast<double>(n);
+        gas->particles.h[i] = first_h;
     }
     return gas;
 }
@@ -48,15 +49,15 @@ TEST_CASE("h and density agree with direct sums, for random points and any first
         INFO("seed " << seed);
         for (const double guess : {0.003, 0.1, 3.0}) {
             auto line = random_cloud<CubicSpline<1>>(40, seed, guess);
-            line.resolve(0);
-            CHECK(violation(line) < 1e-11);
+            line->resolve(0);
+            CHECK(violation(*line) < 1e-11);
             auto plane = random_cloud<CubicSpline<2>>(60, seed, guess);
-            plane.resolve(0);
-            CHECK(violation(plane) < 1e-11);
+            plane->resolve(0);
+            CHECK(violation(*plane) < 1e-11);
         }
         auto quintic = random_cloud<QuinticSpline<2>>(60, seed, 0.1, HRule{1.3, 0.2});
-        quintic.resolve(0);
-        CHECK(violation(quintic) < 1e-11);
+        quintic->resolve(0);
+        CHECK(violation(*quintic) < 1e-11);
     }
 }
 
@@ -65,7 +66,7 @@ TEST_CASE("hard case: plain Newton for h runs away among random points, the brac
     int lost = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         auto gas = random_cloud<CubicSpline<2>>(60, seed, 0.1);
-        auto& p = gas.particles;
+        auto& p = gas->particles;
         for (int iteration = 0; iteration < 60; ++iteration) {
             for (std::size_t i = 0; i < p.size(); ++i) {
                 double rho = 0, slope = 0;

@@ -7,6 +7,7 @@
 #include "common/core/unstable.hpp"
 
 using namespace sph;
+using namespace sph::shocks;
 
 namespace {
 
@@ -20,22 +21,22 @@ NohScene noh_scene(std::size_t n) {
 
 TEST_CASE(
     "Noh in the plane: what is behind the shock, and the error falls with N; without viscosity it breaks") {
-    const NohRun coarse = run_noh(noh_scene(20), plane_method("signal"));
+    const NohRun coarse = run_noh(noh_scene(20), plane_methods()["signal"]);
     CHECK(coarse.plateau > 10.3);  // measured 10.74; 16 is exact
     CHECK(coarse.plateau < 11.2);
     CHECK(coarse.l1_rho < 0.44);  // measured 0.424
-    const NohRun fine = run_noh(noh_scene(40), plane_method("signal"));
+    const NohRun fine = run_noh(noh_scene(40), plane_methods()["signal"]);
     CHECK(fine.plateau > 13.7);  // measured 14.03
     CHECK(fine.plateau < 14.3);
     CHECK(fine.l1_rho < 0.20);  // measured 0.187
     CHECK(fine.l1_rho > 0.17);
     CHECK(fine.energy_drift < 1e-12);  // measured 6e-15
-    CHECK_THROWS_AS(run_noh(noh_scene(20), plane_method("none")), Unstable);
+    CHECK_THROWS_AS(run_noh(noh_scene(20), plane_methods()["none"]), Unstable);
 }
 
 TEST_CASE("reconstruction in the plane: a smaller error than the signal viscosity, and a cooler centre") {
-    const NohRun signal = run_noh(noh_scene(32), plane_method("signal"));
-    const NohRun best = run_noh(noh_scene(32), plane_method("reconstructed"));
+    const NohRun signal = run_noh(noh_scene(32), plane_methods()["signal"]);
+    const NohRun best = run_noh(noh_scene(32), plane_methods()["reconstructed"]);
     CHECK(best.l1_rho < 0.85 * signal.l1_rho);  // measured 0.196 and 0.248
     CHECK(best.l1_rho > 0.6 * signal.l1_rho);
     CHECK(best.centre > 1.4 * signal.centre);  // measured 9.1 and 5.4; 16 is exact
@@ -44,29 +45,29 @@ TEST_CASE("reconstruction in the plane: a smaller error than the signal viscosit
 
 TEST_CASE("a quarter between mirrors is the whole plane; only the square lattice has mirrors") {
     NohScene scene = noh_scene(12);
-    const NohRun quarter = run_noh(scene, plane_method("balsara"));
+    const NohRun quarter = run_noh(scene, plane_methods()["balsara"]);
     scene.quarter = false;
-    const NohRun whole = run_noh(scene, plane_method("balsara"));
+    const NohRun whole = run_noh(scene, plane_methods()["balsara"]);
     CHECK(std::abs(whole.l1_rho - quarter.l1_rho) <
           1e-9);                          // rounding of sums in other orders; measured 4e-16
     CHECK(whole.momentum_drift < 1e-14);  // measured 2e-17
     CHECK(whole.energy_drift < 1e-12);    // measured 4e-15
     scene.quarter = true;
     scene.lattice = Lattice::hexagonal;
-    CHECK_THROWS_AS(run_noh(scene, plane_method("balsara")), std::invalid_argument);
+    CHECK_THROWS_AS(run_noh(scene, plane_methods()["balsara"]), std::invalid_argument);
 }
 
 TEST_CASE("Sedov's blast: where the shock is, and conservation, on both lattices") {
     SedovScene scene;
     scene.n = 24;
-    const SedovRun quarter = run_sedov(scene, plane_method("signal"));
+    const SedovRun quarter = run_sedov(scene, plane_methods()["signal"]);
     CHECK(std::abs(quarter.shock_radius / 0.4 - 1.032) < 0.01);  // measured 0.4128
     CHECK(quarter.l1_rho < 0.23);                                // measured 0.216
     CHECK(quarter.energy_drift < 1e-12);                         // measured 3e-15
     scene.n = 16;
     scene.quarter = false;
     scene.lattice = Lattice::hexagonal;
-    const SedovRun whole = run_sedov(scene, plane_method("reconstructed"));
+    const SedovRun whole = run_sedov(scene, plane_methods()["reconstructed"]);
     CHECK(std::abs(whole.shock_radius / 0.4 - 1.030) < 0.01);  // measured 0.4118
     CHECK(whole.energy_drift < 1e-12);                         // measured 2e-14
     CHECK(whole.momentum_drift < 1e-14);                       // measured 3e-17
@@ -77,9 +78,9 @@ TEST_CASE(
     SedovScene scene;
     scene.n = 24;
     scene.most_steps = 600;  // runs that finish need 119 to 131
-    CHECK_THROWS_AS(run_sedov(scene, plane_method("none")), Unstable);
-    CHECK_THROWS_AS(run_sedov(scene, plane_method("colagrossi")), Unstable);
-    CHECK_NOTHROW(run_sedov(scene, plane_method("balsara")));
+    CHECK_THROWS_AS(run_sedov(scene, plane_methods()["none"]), Unstable);
+    CHECK_THROWS_AS(run_sedov(scene, plane_methods()["colagrossi"]), Unstable);
+    CHECK_NOTHROW(run_sedov(scene, plane_methods()["balsara"]));
 }
 
 TEST_CASE("the grid, for comparison: Noh and Sedov") {
@@ -97,7 +98,7 @@ TEST_CASE("a shear is left alone by the factors and by reconstruction, and not b
     scene.n = 24;
     scene.time = 2;
     const auto effective = [&](const char* name) {
-        const ShearRun run = run_shear(scene, plane_method(name));
+        const ShearRun run = run_shear(scene, plane_methods()[name]);
         CHECK(run.momentum_drift < 1e-13);  // measured 2e-15
         CHECK(run.energy_drift < 1e-10);    // of the wave's, a part in 360 of all; measured 5e-12
         return run.viscosity / run.h;       // in c_s h
@@ -116,9 +117,9 @@ TEST_CASE("a shear is left alone by the factors and by reconstruction, and not b
 
 TEST_CASE("equal results for one and two threads, in the plane") {
     NohScene scene = noh_scene(16);
-    const NohRun one = run_noh(scene, plane_method("reconstructed"));
+    const NohRun one = run_noh(scene, plane_methods()["reconstructed"]);
     scene.threads = 2;
-    const NohRun two = run_noh(scene, plane_method("reconstructed"));
+    const NohRun two = run_noh(scene, plane_methods()["reconstructed"]);
     CHECK(one.x == two.x);
     CHECK(one.rho == two.rho);
     CHECK(one.v == two.v);

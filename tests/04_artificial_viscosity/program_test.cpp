@@ -16,6 +16,10 @@ TEST_CASE("bad options are refused in one line that names them") {
     check_refused("--scene tube --left 0,0,0 --right 0,0,0" + out, 2, "vacuum");
     check_refused("--scene tube --method alpha" + out, 2, "alpha-beta");
     check_refused("--scene tube --particles 5" + out, 2, "--particles");
+    check_refused("--scene tube --method signal --alpha 1" + out, 2, "monaghan-gingold, alpha-beta");
+    check_refused("--scene tube --kernel cubics" + out, 2, "--kernel");
+    check_refused("--only wave --gamma 3" + out, 2, "--scene tube");
+    check_refused("--scene tube --all-runs" + out, 2, "--only survival");
     CHECK(folder.files() == 0);
 }
 
@@ -53,4 +57,17 @@ TEST_CASE("without viscosity a strong blast stops with status 3 and leaves no fi
             folder.path.string(),
         3, "unphysical state at t = ");
     CHECK(folder.files() == 0);
+}
+
+TEST_CASE("a method's parameters, its kernel and its h are options, and each of them acts") {
+    const Folder folder;
+    const std::string out = " --out " + folder.path.string();
+    std::vector<std::string> profiles;
+    for (const std::string change : {"", "--alpha 0.5", "--beta 1", "--kernel quintic", "--h-over-dx 1.5"}) {
+        INFO(change);
+        REQUIRE(run("--scene tube --particles 40 --method alpha-beta " + change + out).status == 0);
+        const std::string profile = read(folder.path / "profile.csv");
+        CHECK(std::find(profiles.begin(), profiles.end(), profile) == profiles.end());
+        profiles.push_back(profile);
+    }
 }

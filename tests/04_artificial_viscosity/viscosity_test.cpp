@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "chapters/01_kernel_interpolation/splines.hpp"
 #include "chapters/04_artificial_viscosity/dissipative_gas.hpp"
-#include "chapters/04_artificial_viscosity/scenes/quadratic.hpp"
 
 using namespace sph;
 
@@ -17,8 +17,7 @@ struct Side {
 };
 struct Other {
     Vec<Tile, 1> v_mid{};
-    Tile rho = Tile::Constant(1), c_s = Tile::Constant(1), h = Tile::Constant(1), u = Tile::Constant(1),
-         p = Tile::Constant(1);
+    Tile rho = Tile(1.0), c_s = Tile(1.0), h = Tile(1.0), u = Tile(1.0), p = Tile(1.0);
     Vec<Vec<Tile, 1>, 1> dv_dx{};
     Vec<Tile, 1> dp_dx{};
 };
@@ -30,12 +29,12 @@ struct PairOf {
     SidedPair<1> pair;
     PairOf(double r, double w) {
         i.v_mid[0] = w;
-        j.v_mid[0] = Tile::Zero();
+        j.v_mid[0] = Tile(0.0);
         pair.x_ij[0] = Tile::Constant(-r);
         pair.r = Tile::Constant(r);
-        pair.F_i = pair.F_j = Tile::Constant(-1);
-        j.dv_dx[0][0] = Tile::Zero();
-        j.dp_dx[0] = Tile::Zero();
+        pair.F_i = pair.F_j = Tile(-1.0);
+        j.dv_dx[0][0] = Tile(0.0);
+        j.dp_dx[0] = Tile(0.0);
     }
 };
 
@@ -84,15 +83,15 @@ TEST_CASE("viscosities: the printed values for one pair, none for particles that
 TEST_CASE("reconstruction takes out what both slopes explain, and trusts it less beyond the speed of sound") {
     PairOf pair{0.5, 0.25};
     pair.i.dv_dx[0][0] = -0.5;  // v falls by 0.25 over the distance: all of it
-    pair.j.dv_dx[0][0] = Tile::Constant(-0.5);
+    pair.j.dv_dx[0][0] = Tile(-0.5);
     const double left = 0.25 - 0.25 / (1 + 0.25 * 0.25);
     CHECK(ReconstructedViscosity{}.pressure(pair.i, pair.j, pair.pair)[0] ==
           Approx(0.5 * left * (2 + 4 * left)));
-    pair.j.dv_dx[0][0] = Tile::Constant(0.5);  // slopes of different signs: nothing
+    pair.j.dv_dx[0][0] = Tile(0.5);  // slopes of different signs: nothing
     CHECK(ReconstructedViscosity{}.pressure(pair.i, pair.j, pair.pair)[0] ==
           Approx(SignalViscosity{}.pressure(pair.i, pair.j, pair.pair)[0]));
-    CHECK(common_slope(Tile::Constant(1), Tile::Constant(3))[0] == Approx(1.5));
-    CHECK(common_slope(Tile::Constant(-1), Tile::Constant(3))[0] == 0);
+    CHECK(common_slope(Tile(1.0), Tile(3.0))[0] == Approx(1.5));
+    CHECK(common_slope(Tile(-1.0), Tile(3.0))[0] == 0);
 }
 
 TEST_CASE("conduction flows from hot to cold, and not where the pressure is even") {
@@ -100,19 +99,19 @@ TEST_CASE("conduction flows from hot to cold, and not where the pressure is even
     pair.i.u = 2;
     const Conduction<ContactSpeed> conduction;
     struct {
-        Tile du_dt = Tile::Zero();
+        Tile du_dt = Tile(0.0);
     } sum;
     struct : Other {
-        Tile m = Tile::Constant(1);
+        Tile m = Tile(1.0);
     } j;
-    j.dp_dx[0] = Tile::Zero();
+    j.dp_dx[0] = Tile(0.0);
     conduction.add(pair.i, j, pair.pair, sum);
     CHECK(sum.du_dt[0] == 0);
-    j.p = Tile::Constant(0.98);
+    j.p = Tile(0.98);
     conduction.add(pair.i, j, pair.pair, sum);
     CHECK(sum.du_dt[0] == Approx(-std::sqrt(0.02) * 0.5));  // m v_u (u_i - u_j)/rho r F
-    sum.du_dt = Tile::Zero();
-    j.p = Tile::Constant(0.5);  // capped at 0.2 c_s
+    sum.du_dt = Tile(0.0);
+    j.p = Tile(0.5);  // capped at 0.2 c_s
     conduction.add(pair.i, j, pair.pair, sum);
     CHECK(sum.du_dt[0] == Approx(-0.2 * 0.5));
 }

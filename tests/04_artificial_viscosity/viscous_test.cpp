@@ -10,6 +10,7 @@
 #include "chapters/04_artificial_viscosity/scenes/viscous_flow.hpp"
 
 using namespace sph;
+using namespace sph::shocks;
 
 namespace {
 
@@ -129,7 +130,7 @@ TEST_CASE("a shear wave decays at its rate, by both forms") {
         INFO(name);
         ShearScene scene;
         scene.nu = 0.01, scene.time = 1;
-        const ShearRun wave = run_shear(scene, plane_method(name));
+        const ShearRun wave = run_shear(scene, viscous_methods()[name]);
         CHECK(wave.viscosity > low * scene.nu);
         CHECK(wave.viscosity < high * scene.nu);
         CHECK(wave.momentum_drift < 1e-13);  // measured 2e-15
@@ -144,14 +145,14 @@ TEST_CASE("Taylor-Green vortices decay at their rate, by both forms; without vis
     for (const auto& [name, low, high, l2] :
          {std::tuple{"pairwise", 0.98, 1.04, 0.13}, std::tuple{"stress", 0.82, 0.88, 0.25}}) {
         INFO(name);
-        const VortexRun flow = run_vortex(scene, plane_method(name));
+        const VortexRun flow = run_vortex(scene, viscous_methods()[name]);
         CHECK(flow.decay_rate > low * flow.exact_rate);
         CHECK(flow.decay_rate < high * flow.exact_rate);
         CHECK(flow.l2_v < l2);
         CHECK(flow.momentum_drift < 1e-14);  // measured 9e-17
         CHECK(flow.energy_drift < 1e-12);    // measured 1e-14
     }
-    CHECK(run_vortex(scene, plane_method("none")).l2_v > 1);  // measured 2
+    CHECK(run_vortex(scene, plane_methods()["none"]).l2_v > 1);  // measured 2
 }
 
 TEST_CASE("the time step looks at viscosity: twice as long, and the pairwise form is unstable") {
@@ -159,7 +160,7 @@ TEST_CASE("the time step looks at viscosity: twice as long, and the pairwise for
     scene.n = 16, scene.nu = 1, scene.time = 0.4;
     const auto noise = [&](const char* name, double courant) {
         scene.courant = courant;
-        return run_shear(scene, plane_method(name)).noise;
+        return run_shear(scene, viscous_methods()[name]).noise;
     };
     CHECK(noise("pairwise", 0.3) < 0.001);  // measured 2e-4
     CHECK(noise("pairwise", 0.6) > 0.1);    // measured 5
@@ -170,9 +171,9 @@ TEST_CASE("equal results for one and two threads, viscous") {
     VortexScene scene;
     scene.n = 12, scene.time = 0.05;
     for (const char* name : {"pairwise", "stress"}) {
-        const VortexRun one = run_vortex(scene, plane_method(name));
+        const VortexRun one = run_vortex(scene, viscous_methods()[name]);
         scene.threads = 2;
-        const VortexRun two = run_vortex(scene, plane_method(name));
+        const VortexRun two = run_vortex(scene, viscous_methods()[name]);
         scene.threads = 1;
         CHECK(one.x == two.x);
         CHECK(one.v == two.v);

@@ -9,7 +9,7 @@ TEST_CASE("bad options are refused in one line that names them") {
     check_refused("--only slabs" + out, 2, "slab");
     check_refused("--scene slab --particles 5" + out, 2, "--particles");
     check_refused("--scene slab --time -1" + out, 2, "--time");
-    check_refused("--scene slab --time 1001" + out, 2, "--time");
+    check_refused("--scene slab --time 1e7" + out, 2, "--time");
     check_refused("--scene slab --method fixed" + out, 2, "fixed-20");
     check_refused("--scene tube --gamma 2.1" + out, 2, "--gamma");
     check_refused("--scene tube --left 1,1,1" + out, 2, "velocity");
@@ -17,6 +17,9 @@ TEST_CASE("bad options are refused in one line that names them") {
     check_refused("--scene tube --left 1,0,0" + out, 2, "--left");
     check_refused("--scene tube --left 0,0,0 --right 0,0,0" + out, 2, "vacuum");
     check_refused("--scene tube --method alpha" + out, 2, "chow-monaghan");
+    check_refused("--scene tube --method chow-monaghan --cap 0.1" + out, 2, "reconstructed");
+    check_refused("--scene slab --gamma 1.5" + out, 2, "--scene tube");
+    check_refused("--only edge --particles 100" + out, 2, "--scene");
     CHECK(folder.files() == 0);
 }
 

@@ -14,11 +14,11 @@ namespace {
 template <class Fluid, class Find>
 double largest_error(const Fluid& fluid, Find&& find) {
     double largest = 0;
-    for (double u = 1e-6; u < 1.1e6; u *= 1.9) {
+    for (double U = 1e-6; U < 1.1e6; U *= 1.9) {
         for (double n = 1e-9; n < 1e3; n *= 7) {
-            const double lorentz = std::sqrt(1 + u * u);
+            const double lorentz = std::sqrt(1 + U * U);
             const double error =
-                std::abs(find(u * fluid.enthalpy(n), n * lorentz, fluid).lorentz() / lorentz - 1);
+                std::abs(find(U * fluid.enthalpy(n), n * lorentz, fluid).lorentz() / lorentz - 1);
             largest = std::isfinite(error) ? std::max(largest, error) : INFINITY;
         }
     }
@@ -57,21 +57,21 @@ TEST_CASE("what one writes first fails the same check") {
     // Where they work they agree.
     const ConformalFluid fluid;
     const double q = 0.1 * fluid.enthalpy(1);
-    CHECK(fixed_point(q, std::sqrt(1.01), fluid).u == Approx(0.1).epsilon(1e-12));
-    CHECK(newton(q, std::sqrt(1.01), fluid).u == Approx(0.1).epsilon(1e-12));
+    CHECK(fixed_point(q, std::sqrt(1.01), fluid).U == Approx(0.1).epsilon(1e-12));
+    CHECK(newton(q, std::sqrt(1.01), fluid).U == Approx(0.1).epsilon(1e-12));
 }
 
 TEST_CASE("a guess saves evaluations and does not change the answer") {
     const ConformalFluid fluid;
-    for (const double u : {-3.0, 1e-3, 2.0, 1e5}) {
-        const double lorentz = std::sqrt(1 + u * u), q = u * fluid.enthalpy(1);
+    for (const double U : {-3.0, 1e-3, 2.0, 1e5}) {
+        const double lorentz = std::sqrt(1 + U * U), q = U * fluid.enthalpy(1);
         const Recovered plain = recover(q, lorentz, fluid);
-        CHECK(plain.u == Approx(u).epsilon(1e-14));
-        for (const double guess : {u * 1.001, u, -u, 1e9 * u, 1e-9 * u})
-            CHECK(recover(q, lorentz, fluid, guess).u == Approx(u).epsilon(1e-14));
-        CHECK(recover(q, lorentz, fluid, u * 1.0001).evaluations <= 3);
+        CHECK(plain.U == Approx(U).epsilon(1e-14));
+        for (const double guess : {U * 1.001, U, -U, 1e9 * U, 1e-9 * U})
+            CHECK(recover(q, lorentz, fluid, guess).U == Approx(U).epsilon(1e-14));
+        CHECK(recover(q, lorentz, fluid, U * 1.0001).evaluations <= 3);
     }
-    CHECK(recover(0, 1, fluid).u == 0);
+    CHECK(recover(0, 1, fluid).U == 0);
     CHECK_THROWS_AS(recover(NAN, 1, fluid), std::domain_error);
     CHECK_THROWS_AS(recover(1, 0, fluid), std::domain_error);
 }

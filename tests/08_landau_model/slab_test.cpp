@@ -7,11 +7,12 @@
 #include "common/report/norms.hpp"
 
 using namespace sph;
+using namespace sph::landau;
 
 namespace {
 
 SlabProfile run(const std::string& method, std::size_t n, double t, double courant = 0.4) {
-    return run_slab({.n = n, .times = {t}, .courant = courant}, slab_method(method)).back();
+    return run_slab({.n = n, .times = {t}, .courant = courant}, slab_methods()[method]).back();
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
-#include <Eigen/Core>
 
+#include "chapters/01_kernel_interpolation/figures/figures.hpp"
 #include "chapters/01_kernel_interpolation/interpolation.hpp"
 #include "chapters/01_kernel_interpolation/scenes/naive.hpp"
-#include "chapters/01_kernel_interpolation/figures/figures.hpp"
 #include "tests/bench/benches.hpp"
 #include "tests/bench/measure.hpp"
 
@@ -24,14 +23,14 @@ struct Buffers {
     }
 };
 
-/// Whole tiles of Eigen arrays: how this project evaluates kernels.
+/// Whole tiles: how this project evaluates kernels.
 template <class K>
 void in_tiles(Buffers& b) {
     const double h = b.h;
     for (std::size_t j = 0; j < pairs; j += sph::tile_width) {
-        const sph::Tile r = Eigen::Map<const sph::Tile>(b.r.data() + j);
-        Eigen::Map<sph::Tile>(b.W.data() + j) = K::W(r, h);
-        Eigen::Map<sph::Tile>(b.F.data() + j) = K::F(r, h);
+        const sph::Tile r = sph::Tile::load(b.r.data() + j);
+        K::W(r, h).store(b.W.data() + j);
+        K::F(r, h).store(b.F.data() + j);
     }
     benchmark_keep(b.W.data());
     benchmark_keep(b.F.data());
@@ -109,7 +108,7 @@ void kernels(report::Run& run) {
         row -= 1;
     };
     using Cubic = sph::CubicSpline<3>;
-    using Naive = sph::PiecewiseCubic<3>;
+    using Naive = sph::interpolation::PiecewiseCubic<3>;
     Buffers cubic{Cubic::support};
     add("cubic", "piecewise ifs", [&] { pair_by_pair<Naive>(cubic); });
     add("cubic", "piecewise ifs in a plain loop", [&] { plain_loop<Naive>(cubic); });

@@ -4,14 +4,14 @@
 #include <chrono>
 #include <cmath>
 
+#include "common/app/clock.hpp"
 #include "common/app/program.hpp"
-#include "common/report/timer.hpp"
 
 namespace bench {
 namespace {
 
 double now(Clock clock) {
-    if (clock == Clock::cpu) return report::thread_cpu_seconds();
+    if (clock == Clock::cpu) return app::thread_cpu_seconds();
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 

@@ -39,7 +39,7 @@ class Rivals {
     double worst_difference(const GasParticles<d>& engine) const;
 
   private:
-    using Kernel = sph::PiecewiseCubic<d>;
+    using Kernel = sph::interpolation::PiecewiseCubic<d>;
     using S = Structure<d>;
     static constexpr int axis_cells(double width) { return static_cast<int>(1 / width) + 3; }
     std::size_t cell_of(const S& s) const;

@@ -1,17 +1,20 @@
 #include <array>
 
-#include "chapters/01_kernel_interpolation/scenes/cost_measures.hpp"
 #include "chapters/01_kernel_interpolation/figures/figures.hpp"
+#include "chapters/01_kernel_interpolation/kernels.hpp"
+#include "chapters/01_kernel_interpolation/scenes/cost_measures.hpp"
+#include "common/plot/looks.hpp"
 
 /// What accuracy costs: error against measured CPU time, for every kernel and several h/dx, beside
 /// differences.
-namespace sph {
+namespace sph::interpolation {
 namespace {
 
-/// One kernel at one h/dx in one of the panels.
+/// One kernel at one h/dx, or a difference scheme, in one of the panels.
 struct Sample {
     std::string kernel;
     double h_over_dx = 0, pairs = 0, error = 0, ns = 0;
+    bool is_difference() const { return h_over_dx == 0; }
 };
 using Samples = std::vector<Sample>;
 
@@ -21,23 +24,39 @@ struct CostPanel {
     std::string name, title;
 };
 
-template <class K>
-Samples scan_h(report::Run& run, const CostPanel& which, std::size_t n) {
+template <int d>
+Samples scan_h(report::Run& run, const CostPanel& which, const std::string& kernel, double support,
+               std::size_t n) {
     const plot::Values all{0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0}, some{1.0, 1.2, 2.0};
     Samples samples;
-    for (const double h : run.quick() ? some : all) {
-        const Setting setting{std::string{K::name}, which.arrangement, n, h, 0.2, run.seed()};
-        const double reach = K::support * h;
-        const Sample sample{setting.kernel, h, K::dimension == 1 ? 2 * reach : pi * reach * reach,
-                            errors_of<K::dimension>(setting).gradient,
-                            ns_per_point<K, DifferenceGradient>(run, setting)};
-        const std::string method = which.name + " " + sample.kernel + " h=" + report::number(h, 2);
-        const auto count = static_cast<long>(to_dimension(K::dimension, n));
-        run.result(method, count, "l2_gradient", sample.error);
-        run.result(method, count, "cpu_ns_per_point", sample.ns, "ns");
+    for (const double h_over_dx : run.quick() ? some : all) {
+        const Setting setting{kernel, which.arrangement, n, h_over_dx, 0.2, run.seed()};
+        const double reach = support * h_over_dx;
+        const Sample sample{kernel, h_over_dx, d == 1 ? 2 * reach : pi * reach * reach,
+                            errors_of<d>(setting).gradient, gradient_ns_per_point<d>(run, setting)};
+        run.record(which.name + " " + kernel + " h=" + report::number(h_over_dx, 2), to_dimension(d, n),
+                   {{"l2_gradient", sample.error}, {"cpu_ns_per_point", sample.ns, "ns"}});
         samples.push_back(sample);
     }
     return samples;
+}
+
+/// Finite differences where there is a lattice or an order of the points.
+void add_differences(report::Run& run, plot::Panel& panel, const CostPanel& which, std::size_t n,
+                     Samples& samples) {
+    if (which.dimension == 2 && which.arrangement != Arrangement::even) return;
+    for (const MeasuredDifferences& c :
+         which.dimension == 1 ? differences_1d(run, which.arrangement, n, 0.2) : differences_2d(run, n)) {
+        const bool fourth = c.name == "central-4";
+        plot::Style style =
+            fourth ? plot::competitor("") : plot::competitor("differences, 2nd order", plot::Marker::plus);
+        style.marker_size = 8;
+        panel.points({c.ns}, {c.error}, style);
+        if (fourth) panel.note(1.5 * c.ns, c.error, "differences, 4th order");
+        run.record(which.name + " " + c.name, n,
+                   {{"l2_gradient", c.error}, {"cpu_ns_per_point", c.ns, "ns"}});
+        samples.push_back({c.name, 0, 0, c.error, c.ns});
+    }
 }
 
 template <int d>
@@ -45,35 +64,18 @@ Samples cost_panel(report::Run& run, plot::Panel& panel, const CostPanel& which)
     const std::size_t n = d == 1 ? 128 : 48;
     std::size_t index = 0;
     Samples samples;
-    for_each_kernel<d>([&](auto kernel) {
-        using K = decltype(kernel);
+    for_each_kernel<d>([&](const auto& kernel) {
+        const std::string name{kernel.name};
         plot::Values time, error;
-        for (const Sample& sample : scan_h<K>(run, which, n)) {
+        for (const Sample& sample : scan_h<d>(run, which, name, kernel.support, n)) {
             time.push_back(sample.ns);
             error.push_back(sample.error);
             samples.push_back(sample);
         }
-        panel.curve(time, error, kernel_style(index++, kernel_label(K::name), true));
+        panel.curve(time, error, kernel_style(index++, kernel_label(name), true));
     });
-    if (d == 2 && which.arrangement != Arrangement::even) return samples;  // differences need a lattice
-    for (const Competitor& c :
-         d == 1 ? differences_1d(run, which.arrangement, n, 0.2) : differences_2d(run, n)) {
-        const bool fourth = c.name == "central-4";
-        panel.points({c.ns}, {c.error},
-                     {.label = fourth ? "" : "differences, 2nd order",
-                      .colour = plot::Colour{0, 0, 0},
-                      .marker = fourth ? plot::Marker::cross : plot::Marker::plus,
-                      .marker_size = 8});
-        if (fourth) panel.note(1.5 * c.ns, c.error, "differences, 4th order");
-        run.result(which.name + " " + c.name, static_cast<long>(n), "l2_gradient", c.error);
-        run.result(which.name + " " + c.name, static_cast<long>(n), "cpu_ns_per_point", c.ns, "ns");
-        samples.push_back({c.name, 0, 0, c.error, c.ns});
-    }
+    add_differences(run, panel, which, n, samples);
     return samples;
-}
-
-bool is_difference(const Sample& sample) {
-    return sample.h_over_dx == 0;
 }
 
 /// "cubic 1.0 dx: 4, ≈36 ns": kernel, h, pairs and time a point.
@@ -87,7 +89,7 @@ std::string described(const Sample& s) {
 std::string cheapest(const Samples& samples, double error) {
     const Sample* best = nullptr;
     for (const Sample& s : samples) {
-        if (is_difference(s) || s.error > error) continue;
+        if (s.is_difference() || s.error > error) continue;
         if (best == nullptr || s.pairs < best->pairs || (s.pairs == best->pairs && s.error < best->error))
             best = &s;
     }
@@ -97,7 +99,7 @@ std::string cheapest(const Samples& samples, double error) {
 std::string most_accurate(const Samples& samples) {
     const Sample* best = nullptr;
     for (const Sample& s : samples) {
-        if (!is_difference(s) && (best == nullptr || s.error < best->error)) best = &s;
+        if (!s.is_difference() && (best == nullptr || s.error < best->error)) best = &s;
     }
     return "**" + report::number(best->error, 2) + "** " + described(*best);
 }
@@ -105,7 +107,7 @@ std::string most_accurate(const Samples& samples) {
 std::string differences(const Samples& samples) {
     std::string text;
     for (const Sample& s : samples) {
-        if (!is_difference(s)) continue;
+        if (!s.is_difference()) continue;
         text += (text.empty() ? "" : "; ") + s.kernel + ": " + report::number(s.error, 2) + ", " +
                 report::timing(s.ns) + " ns";
     }
@@ -130,9 +132,9 @@ std::string answer(const std::array<Samples, 4>& samples) {
 /// At h = dx on even points the cubic spline reaches the next neighbours only, and (2.14) is the central
 /// difference.
 void fill_identity(report::Run& run, const Samples& even) {
-    const auto find = [&](const std::string& kernel, double h) {
+    const auto find = [&](const std::string& kernel, double h_over_dx) {
         return *std::find_if(even.begin(), even.end(),
-                             [&](const Sample& s) { return s.kernel == kernel && s.h_over_dx == h; });
+                             [&](const Sample& s) { return s.kernel == kernel && s.h_over_dx == h_over_dx; });
     };
     const Sample cubic = find("cubic", 1.0), central = find("central-2", 0);
     run.fill("cubic-at-dx", report::number(cubic.error, 9));
@@ -181,4 +183,4 @@ void cost(report::Run& run) {
     fill_limits(run, samples[3]);
 }
 
-}  // namespace sph
+}  // namespace sph::interpolation

@@ -1,10 +1,8 @@
-#include <span>
-
-#include "chapters/01_kernel_interpolation/scenes/integral.hpp"
 #include "chapters/01_kernel_interpolation/figures/figures.hpp"
+#include "chapters/01_kernel_interpolation/scenes/integral.hpp"
 #include "common/report/norms.hpp"
 
-namespace sph {
+namespace sph::interpolation {
 namespace {
 
 /// Error of the integral interpolant of the wave cos(k.x) against k h, and its order between small k h.
@@ -30,7 +28,7 @@ void orders(report::Run& run, plot::Panel& panel, std::vector<std::vector<std::s
 
 }  // namespace
 
-void integral_errors(report::Run& run) {
+void integral_error(report::Run& run) {
     plot::Figure figure{"integral-error", 1, 3};
     figure.panel_width = 330;
     figure.share_y = true;
@@ -45,4 +43,4 @@ void integral_errors(report::Run& run) {
     run.fill("integral-orders", table.markdown());
 }
 
-}  // namespace sph
+}  // namespace sph::interpolation

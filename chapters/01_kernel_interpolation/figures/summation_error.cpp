@@ -1,8 +1,7 @@
-#include "chapters/01_kernel_interpolation/fourier.hpp"
-#include "chapters/01_kernel_interpolation/interpolation.hpp"
 #include "chapters/01_kernel_interpolation/figures/figures.hpp"
+#include "chapters/01_kernel_interpolation/fourier.hpp"
 
-namespace sph {
+namespace sph::interpolation {
 namespace {
 
 /// Sums over even particles of spacing 1 around one at the origin, by themselves: what the formulas predict.
@@ -76,7 +75,7 @@ std::string curvature_text(double curvature) {
 
 }  // namespace
 
-void summation_errors(report::Run& run) {
+void summation_error(report::Run& run) {
     plot::Figure figure{"summation-error", 1, 2};
     figure.panel_width = 430;
     figure.panel_height = 360;
@@ -109,4 +108,4 @@ void summation_errors(report::Run& run) {
     run.fill("cut-gaussian", report::number(std::abs(EvenSums<Gaussian<1, 3>>{{}, 2.0}.slope), 2));
 }
 
-}  // namespace sph
+}  // namespace sph::interpolation

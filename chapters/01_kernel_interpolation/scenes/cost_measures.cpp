@@ -1,6 +1,29 @@
 #include "chapters/01_kernel_interpolation/scenes/cost_measures.hpp"
 
-namespace sph {
+#include <algorithm>
+#include <stdexcept>
+
+#include "chapters/01_kernel_interpolation/interpolation.hpp"
+#include "chapters/01_kernel_interpolation/scenes/finite_differences.hpp"
+#include "chapters/01_kernel_interpolation/scenes/test_function.hpp"
+#include "common/report/norms.hpp"
+
+namespace sph::interpolation {
+
+template <int d>
+double gradient_ns_per_point(report::Run& run, const Setting& s) {
+    double result = 0;
+    const bool known = with_kernel<d>(s.kernel, [&](auto kernel) {
+        Interpolation<decltype(kernel), DifferenceGradient> A{
+            make_points<d>(s.arrangement, s.per_side, s.jitter, s.seed), s.h(), TestFunction<d>{}};
+        result = ns_per_point(run, A);
+    });
+    if (!known) throw std::invalid_argument{"unknown kernel " + s.kernel};
+    return result;
+}
+template double gradient_ns_per_point<1>(report::Run&, const Setting&);
+template double gradient_ns_per_point<2>(report::Run&, const Setting&);
+
 namespace {
 
 /// Values and exact slopes of the test function on points in 1D, from left to right, and its slope by
@@ -19,10 +42,10 @@ struct Line {
 
 }  // namespace
 
-std::vector<Competitor> differences_1d(report::Run& run, Arrangement arrangement, std::size_t n,
-                                       double jitter) {
+std::vector<MeasuredDifferences> differences_1d(report::Run& run, Arrangement arrangement, std::size_t n,
+                                                double jitter) {
     Line line{arrangement, n, jitter, run.seed()};
-    std::vector<Competitor> result;
+    std::vector<MeasuredDifferences> result;
     const auto measure = [&](std::string name, std::string label, const auto& scheme) {
         const report::Timing timing = run.time([&] {
             scheme();
@@ -40,7 +63,7 @@ std::vector<Competitor> differences_1d(report::Run& run, Arrangement arrangement
     return result;
 }
 
-std::vector<Competitor> differences_2d(report::Run& run, std::size_t n) {
+std::vector<MeasuredDifferences> differences_2d(report::Run& run, std::size_t n) {
     plot::Values A(n * n), slope_x(n * n), slope_y(n * n);
     const Columns<2> lattice = make_points<2>(Arrangement::even, n, 0, 0);
     for (std::size_t i = 0; i < n * n; ++i) A[i] = TestFunction<2>::value({lattice[0][i], lattice[1][i]});
@@ -59,4 +82,4 @@ std::vector<Competitor> differences_2d(report::Run& run, std::size_t n) {
     return {{"central-2", "differences, 2nd order", error, ns * timing.best / static_cast<double>(n * n)}};
 }
 
-}  // namespace sph
+}  // namespace sph::interpolation

@@ -2,7 +2,7 @@
 #include <vector>
 
 /// The competitor: central differences, which know their neighbours by index. All on [0, 1) with period 1.
-namespace sph {
+namespace sph::interpolation {
 
 /// dA/dx on even points of spacing 1/n, second order: (A_{i+1} - A_{i-1}) / (2 dx). Cost O(n).
 inline void central_2(const std::vector<double>& A, std::vector<double>& slope) {
@@ -59,4 +59,4 @@ inline void central_gradient_2d(const std::vector<double>& A, std::size_t n, std
     }
 }
 
-}  // namespace sph
+}  // namespace sph::interpolation

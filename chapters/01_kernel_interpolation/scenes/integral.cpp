@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace sph {
+namespace sph::interpolation {
 
 Quadrature quadrature_over(double support, const std::vector<double>& joints, int parts) {
     constexpr std::size_t nodes = 16;
@@ -30,4 +30,4 @@ Quadrature quadrature_over(double support, const std::vector<double>& joints, in
     return result;
 }
 
-}  // namespace sph
+}  // namespace sph::interpolation

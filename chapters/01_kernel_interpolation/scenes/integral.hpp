@@ -5,7 +5,7 @@
 
 /// The integral interpolant (Monaghan 2005, 2.3), by Gauss-Legendre quadrature on the kernel's polynomial
 /// pieces.
-namespace sph {
+namespace sph::interpolation {
 
 /// Nodes in [0, support] and weights of the integral over q, exact for polynomials of degree 31 on each piece
 /// between the kernel's joints; `parts` >= 1 splits every piece further (for kernels and functions that are
@@ -90,4 +90,4 @@ double integral_interpolant(K kernel, Function&& A, double x, double h, const Qu
     return K::sigma * sum;
 }
 
-}  // namespace sph
+}  // namespace sph::interpolation

@@ -2,13 +2,13 @@
 #include <string>
 #include <vector>
 
-#include "chapters/01_kernel_interpolation/scenes/particles.hpp"
+#include "common/core/arrangement.hpp"
 
 /// Interpolations of the test function on particles of the periodic unit box, and their errors: what several
 /// figures measure. Compiled once for all kernels.
-namespace sph {
+namespace sph::interpolation {
 
-/// One interpolation. `kernel` is one of kernel_names(); h_over_dx > 0; jitter in spacings, for jittered
+/// One interpolation. `kernel` is one of any_kernel_names(); h_over_dx > 0; jitter in spacings, for jittered
 /// particles.
 struct Setting {
     std::string kernel = "cubic";
@@ -18,6 +18,8 @@ struct Setting {
     double jitter = 0.2;
     std::uint64_t seed = 1;
     int threads = 1;  // of the estimates; results do not depend on it
+
+    double h() const { return h_over_dx / static_cast<double>(per_side); }
 };
 
 /// Every estimate of interpolation.hpp but the tensor, at every particle.
@@ -54,4 +56,4 @@ struct Map {
 };
 Map interpolate_at(const Setting& setting, const Columns<2>& positions);
 
-}  // namespace sph
+}  // namespace sph::interpolation

@@ -5,7 +5,7 @@
 /// with. Two things are wrong with it: branches that no compiler can turn into vector code and no processor
 /// can predict, and F = w'(q)/q, which is 0/0 for coincident particles and loses digits like eps/q close to
 /// them.
-namespace sph {
+namespace sph::interpolation {
 
 template <int d>
 struct PiecewiseCubic : Kernel<PiecewiseCubic<d>, d> {
@@ -26,4 +26,4 @@ struct PiecewiseCubic : Kernel<PiecewiseCubic<d>, d> {
     static constexpr double f(double q) { return slope(q) / q; }
 };
 
-}  // namespace sph
+}  // namespace sph::interpolation

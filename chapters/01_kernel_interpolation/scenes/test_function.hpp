@@ -4,7 +4,7 @@
 
 /// The function that this chapter interpolates: smooth, of period 1, without symmetry that could hide an
 /// error.
-namespace sph {
+namespace sph::interpolation {
 
 /// A = exp(sin 2 pi x) in 1D and exp(sin 2 pi x) cos 2 pi y in 2D, with derivatives; A_0 = 1, lengths in box
 /// lengths.
@@ -37,4 +37,4 @@ struct TestFunction {
     }
 };
 
-}  // namespace sph
+}  // namespace sph::interpolation

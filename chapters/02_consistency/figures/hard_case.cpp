@@ -1,5 +1,8 @@
-#include "chapters/02_consistency/scenes/hard_sets.hpp"
+#include <algorithm>
+#include <cmath>
+
 #include "chapters/02_consistency/figures/figures.hpp"
+#include "chapters/02_consistency/scenes/hard_sets.hpp"
 
 namespace sph::consistency {
 namespace {
@@ -57,7 +60,7 @@ void too_few_neighbours(report::Run& run, plot::Panel& panel) {
         lost += plane.singular;
         all += side * side;
     }
-    run.fill("flagged", report::number(100 * static_cast<double>(flagged) / static_cast<double>(all), 2));
+    run.fill("flagged", report::percent(static_cast<double>(flagged) / static_cast<double>(all)));
     run.fill("lost", std::to_string(lost));
     run.fill("of-all", std::to_string(all));
     panel.titled("random particles, 2D").log_log();

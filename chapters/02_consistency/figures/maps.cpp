@@ -1,51 +1,79 @@
+#include <algorithm>
+#include <cmath>
+
 #include "chapters/02_consistency/figures/figures.hpp"
+#include "chapters/02_consistency/scenes/options.hpp"
 
 namespace sph::consistency {
+namespace {
 
-void maps(report::Run& run, const Options& options) {
-    plot::Figure figure{"maps", 1, 3};
-    figure.panel_width = 300;
-    figure.panel_height = 300;
-    ParticleSet set = options.set(run);
-    set.arrangement = Arrangement::jittered;
-    set.per_side = 64;
-    const auto e = estimate<2>(set, wave<2>());
-    double scale = 0;  // the largest slope
+constexpr std::size_t per_side = 64;
+
+/// |error of the slope| at each particle over the largest slope.
+plot::Values slope_errors(const Estimated<2>& e, const Scheme<2>& scheme) {
+    double scale = 0;
     for (std::size_t i = 0; i < e.exact.size(); ++i)
         scale = std::max(scale, std::hypot(e.exact_slope[0][i], e.exact_slope[1][i]));
-    int column = 0;
-    report::Table table{
-        {"∇A on 64² jittered particles", "relative L2 error", "largest error / largest slope"}};
-    for (const auto& scheme : schemes<2>()) {
-        plot::Values error;
-        double worst = 0;
-        for (std::size_t i = 0; i < e.exact.size(); ++i) {
-            const double miss = std::hypot((e.*scheme.slope)[0][i] - e.exact_slope[0][i],
-                                           (e.*scheme.slope)[1][i] - e.exact_slope[1][i]) /
-                                scale;
-            worst = std::max(worst, miss);
-            error.push_back(std::clamp(miss, 1e-4, 1.0));
-        }
-        const double l2 = slope_error(e, scheme, Where::everywhere);
-        run.result(scheme.name, 4096, "l2_slope", l2);
-        run.result(scheme.name, 4096, "linf_slope", worst);
-        table.row({scheme.label, report::number(l2, 2), report::number(worst, 2)});
-        if (scheme.name != "differences" && scheme.name != "by-axes" && scheme.name != "cspm") continue;
-        plot::Panel& panel = figure.at(0, column).titled(scheme.label + " (" + scheme.slope_equation + ")");
-        plot::Discs discs{
-            .name = scheme.name, .x = e.x[0], .y = e.x[1], .value = error, .data_diameter = 1.15 / 64};
-        discs.bar = {
-            .label = "error of ∇$A$ / largest ∇$A$", .map = plot::Map::viridis, .scale = plot::Scale::log};
-        discs.bar.range = {1e-4, 1.0};
-        discs.bar.shown = column == 2;
-        panel.particles(discs);
-        panel.labels("$x$", column == 0 ? "$y$" : "").x_range(0, 1).y_range(0, 1);
-        panel.equal_aspect = true;
-        panel.grid = false;
-        ++column;
+    plot::Values error;
+    for (std::size_t i = 0; i < e.exact.size(); ++i) {
+        error.push_back(std::hypot((e.*scheme.slope)[0][i] - e.exact_slope[0][i],
+                                   (e.*scheme.slope)[1][i] - e.exact_slope[1][i]) /
+                        scale);
     }
-    run.save(figure);
-    run.fill("maps", table.markdown());
+    return error;
+}
+
+void draw(plot::Panel& panel, int column, const Estimated<2>& e, const Scheme<2>& scheme,
+          plot::Values error) {
+    for (double& value : error) value = std::clamp(value, 1e-4, 1.0);
+    plot::Discs discs{.name = scheme.name,
+                      .x = e.x[0],
+                      .y = e.x[1],
+                      .value = error,
+                      .data_diameter = 1.15 / static_cast<double>(per_side)};
+    discs.bar = {
+        .label = "error of ∇$A$ / largest ∇$A$", .map = plot::Map::viridis, .scale = plot::Scale::log};
+    discs.bar.range = {1e-4, 1.0};
+    discs.bar.shown = column == 2;
+    panel.titled(scheme.label + " (" + scheme.slope_equation + ")").particles(discs);
+    panel.labels("$x$", column == 0 ? "$y$" : "").x_range(0, 1).y_range(0, 1);
+    panel.equal_aspect = true;
+    panel.grid = false;
+}
+
+class MapsFigure {
+  public:
+    void declare(app::CommandLine& line) { options_.declare(line); }
+    void run(report::Run& run) const {
+        plot::Figure figure{"maps", 1, 3};
+        figure.panel_width = 300;
+        figure.panel_height = 300;
+        const auto e = estimate<2>(options_.set(Arrangement::jittered, per_side, run), wave<2>());
+        report::Table table{
+            {"∇A on 64² jittered particles", "relative L2 error", "largest error / largest slope"}};
+        int column = 0;
+        for (const auto& scheme : schemes<2>()) {
+            const plot::Values error = slope_errors(e, scheme);
+            const double worst = *std::max_element(error.begin(), error.end());
+            const double l2 = slope_error(e, scheme, Where::everywhere);
+            run.record(scheme.name, per_side * per_side, {{"l2_slope", l2}, {"linf_slope", worst}});
+            table.row({scheme.label, report::number(l2, 2), report::number(worst, 2)});
+            if (scheme.name != "differences" && scheme.name != "by-axes" && scheme.name != "cspm") continue;
+            draw(figure.at(0, column), column, e, scheme, error);
+            ++column;
+        }
+        run.save(figure);
+        run.fill("maps", table.markdown());
+    }
+
+  private:
+    ParticleSetOptions options_;
+};
+
+}  // namespace
+
+report::Task maps() {
+    return MapsFigure{};
 }
 
 }  // namespace sph::consistency

@@ -1,4 +1,9 @@
+#include <algorithm>
+#include <cmath>
+
 #include "chapters/02_consistency/figures/figures.hpp"
+#include "chapters/02_consistency/scenes/options.hpp"
+#include "common/plot/looks.hpp"
 
 namespace sph::consistency {
 namespace {
@@ -8,87 +13,108 @@ struct Shape {
     Function<1> function;
 };
 
+void draw_exact(plot::Panel& top, plot::Panel& bottom, const Function<1>& function) {
+    const plot::Values fine = linear_space(0, 1, 101);
+    plot::Values exact, exact_slope;
+    for (const double x : fine) {
+        exact.push_back(function.value({x}));
+        exact_slope.push_back(function.gradient({x})[0]);
+    }
+    plot::Style style = plot::exact();
+    style.width = 1.2;
+    top.curve(fine, exact, style);
+    bottom.curve(fine, exact_slope, style);
+}
+
+double largest_error(const Column& value, const Column& exact) {
+    double worst = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) worst = std::max(worst, std::abs(value[i] - exact[i]));
+    return worst;
+}
+
+std::string shown(double error, double rounding) {
+    return error < rounding ? "exact" : report::number(error, 2);
+}
+
+/// One column of panels, and the cells of each scheme's row.
+void draw_shape(report::Run& run, plot::Figure& figure, int column, const Shape& shape, const Estimated<1>& e,
+                std::vector<std::vector<std::string>>& rows) {
+    plot::Panel& top = figure.at(0, column).titled(shape.label).labels("", column == 0 ? "$A$" : "");
+    plot::Panel& bottom = figure.at(1, column).labels("$x$", column == 0 ? "d$A$/d$x$" : "");
+    draw_exact(top, bottom, shape.function);
+    const auto all = schemes<1>();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        plot::Style style = plot::dots(scheme_style(all[k]), 4.5);
+        style.layer = 2;
+        const std::string name = all[k].name + " " + shape.name;
+        const Column& slope = (e.*all[k].slope)[0];
+        rows[k].emplace_back("");
+        if (all[k].value) {
+            const double worst = largest_error(e.*all[k].value, e.exact);
+            top.curve(e.x[0], e.*all[k].value, style);
+            run.result(name, 21, "linf_f", worst, "absolute");
+            rows[k].back() = shown(worst, 1e-11);
+        }
+        // SPH's slopes would hide the others.
+        if (all[k].name != "sph") bottom.curve(e.x[0], slope, style);
+        const double worst_slope = largest_error(slope, e.exact_slope[0]);
+        run.result(name, 21, "linf_slope", worst_slope, "absolute");
+        rows[k].push_back(shown(worst_slope, 1e-11));
+    }
+    if (shape.name == "constant") bottom.y_range(-0.1, 0.1);  // what differs from zero there is rounding
+    top.legend = bottom.legend = {.shown = column == 2, .outside = true};
+}
+
+class PolynomialsFigure {
+  public:
+    void declare(app::CommandLine& line) { options_.declare(line); }
+    void run(report::Run& run) const {
+        const std::vector<Shape> shapes{{"constant", "a constant", polynomial<1>(1, 0, 0)},
+                                        {"line", "a line", polynomial<1>(0.5, 1, 0)},
+                                        {"parabola", "a parabola", polynomial<1>(0.5, 0, 1)}};
+        plot::Figure figure{"polynomials", 2, 3};
+        figure.panel_width = 330;
+        figure.panel_height = 250;
+        std::vector<std::vector<std::string>> rows;
+        for (const auto& scheme : schemes<1>()) rows.push_back({scheme.label});
+        for (int column = 0; column < 3; ++column) {
+            const Shape& shape = shapes[static_cast<std::size_t>(column)];
+            const auto e = estimate<1>(options_.set(Arrangement::jittered, 21, run), shape.function);
+            draw_shape(run, figure, column, shape, e, rows);
+        }
+        report::Table table{{"scheme", "constant: A", "slope", "line: A", "slope", "parabola: A", "slope"}};
+        for (const auto& row : rows) table.row(row);
+        run.save(figure);
+        run.fill("polynomials", table.markdown());
+        fill_curvature(run, shapes[2].function);
+    }
+
+  private:
+    /// CSPM's second derivative of the parabola: right on even particles inside, stuck on jittered ones.
+    void fill_curvature(report::Run& run, const Function<1>& parabola) const {
+        report::Table table{{"particles", "largest error of A″ = 2 inside"}};
+        for (const std::size_t n : {std::size_t{100}, std::size_t{1000}}) {
+            for (const Arrangement arrangement : {Arrangement::even, Arrangement::jittered}) {
+                const Curvature c = cspm_curvature(options_.set(arrangement, n, run), parabola);
+                double worst = 0;
+                for (std::size_t i = 0; i < c.x.size(); ++i) {
+                    if (c.x[i] > 0.1 && c.x[i] < 0.9) worst = std::max(worst, std::abs(c.value[i] - 2));
+                }
+                const std::string name = arrangement == Arrangement::even ? "even" : "jittered";
+                run.record("cspm parabola " + name, n, {{"linf_curvature", worst, "absolute"}});
+                table.row({std::to_string(n) + ", " + name, shown(worst, 1e-9)});
+            }
+        }
+        run.fill("curvature", table.markdown());
+    }
+
+    ParticleSetOptions options_;
+};
+
 }  // namespace
 
-void polynomials(report::Run& run, const Options& options) {
-    const std::vector<Shape> shapes{{"constant", "a constant", polynomial<1>(1, 0, 0)},
-                                    {"line", "a line", polynomial<1>(0.5, 1, 0)},
-                                    {"parabola", "a parabola", polynomial<1>(0.5, 0, 1)}};
-    plot::Figure figure{"polynomials", 2, 3};
-    figure.panel_width = 330;
-    figure.panel_height = 250;
-    ParticleSet set = options.set(run);
-    set.per_side = 21;
-    set.arrangement = Arrangement::jittered;
-    std::vector<report::Table> tables;
-    report::Table table{{"scheme", "constant: A", "slope", "line: A", "slope", "parabola: A", "slope"}};
-    std::vector<std::vector<std::string>> rows;
-    int column = 0;
-    for (const Shape& shape : shapes) {
-        const auto e = estimate<1>(set, shape.function);
-        plot::Values fine = linear_space(0, 1, 101), exact, exact_slope;
-        for (const double x : fine) {
-            exact.push_back(shape.function.value({x}));
-            exact_slope.push_back(shape.function.gradient({x})[0]);
-        }
-        plot::Panel& top = figure.at(0, column).titled(shape.label).labels("", column == 0 ? "$A$" : "");
-        plot::Panel& bottom = figure.at(1, column).labels("$x$", column == 0 ? "d$A$/d$x$" : "");
-        top.curve(fine, exact, {.label = "exact", .colour = plot::Colour{0, 0, 0}, .width = 1.2});
-        bottom.curve(fine, exact_slope, {.label = "exact", .colour = plot::Colour{0, 0, 0}, .width = 1.2});
-        std::size_t row = 0;
-        for (const auto& scheme : schemes<1>()) {
-            if (rows.size() <= row) rows.push_back({scheme.label});
-            plot::Style style = scheme_style(scheme);
-            style.width = 0;
-            style.marker_size = 4.5;
-            style.layer = 2;
-            double worst = 0, worst_slope = 0;
-            for (std::size_t i = 0; i < e.exact.size(); ++i) {
-                if (scheme.value) worst = std::max(worst, std::abs((e.*scheme.value)[i] - e.exact[i]));
-                worst_slope = std::max(worst_slope, std::abs((e.*scheme.slope)[0][i] - e.exact_slope[0][i]));
-            }
-            if (scheme.value) {
-                top.curve(e.x[0], e.*scheme.value, style);
-                run.result(scheme.name + " " + shape.name, 21, "linf_f", worst, "absolute");
-            }
-            // SPH's slopes would hide the others.
-            if (scheme.name != "sph") bottom.curve(e.x[0], (e.*scheme.slope)[0], style);
-            run.result(scheme.name + " " + shape.name, 21, "linf_slope", worst_slope, "absolute");
-            const auto shown = [](double error) {
-                return error < 1e-11 ? "exact" : report::number(error, 2);
-            };
-            rows[row].push_back(scheme.value ? shown(worst) : "");
-            rows[row++].push_back(shown(worst_slope));
-        }
-        if (shape.name == "constant") bottom.y_range(-0.1, 0.1);  // what differs from zero there is rounding
-        top.legend.shown = column == 2;
-        top.legend.outside = true;
-        bottom.legend.shown = column == 2;
-        bottom.legend.outside = true;
-        ++column;
-    }
-    for (const auto& row : rows) table.row(row);
-    run.save(figure);
-    run.fill("polynomials", table.markdown());
-
-    // CSPM's second derivative of the parabola: right on even particles inside, stuck on jittered ones.
-    report::Table curvature{{"particles", "largest error of A″ = 2 inside"}};
-    for (const std::size_t n : {std::size_t{100}, std::size_t{1000}}) {
-        for (const Arrangement arrangement : {Arrangement::even, Arrangement::jittered}) {
-            set.per_side = n;
-            set.arrangement = arrangement;
-            const Curvature c = cspm_curvature(set, shapes[2].function);
-            double worst = 0;
-            for (std::size_t i = 0; i < c.x.size(); ++i) {
-                if (c.x[i] > 0.1 && c.x[i] < 0.9) worst = std::max(worst, std::abs(c.value[i] - 2));
-            }
-            const std::string name = arrangement == Arrangement::even ? "even" : "jittered";
-            run.result("cspm parabola " + name, static_cast<long>(n), "linf_curvature", worst, "absolute");
-            curvature.row(
-                {std::to_string(n) + ", " + name, worst < 1e-9 ? "exact" : report::number(worst, 2)});
-        }
-    }
-    run.fill("curvature", curvature.markdown());
+report::Task polynomials() {
+    return PolynomialsFigure{};
 }
 
 }  // namespace sph::consistency

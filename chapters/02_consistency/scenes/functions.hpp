@@ -5,7 +5,7 @@
 #include "chapters/01_kernel_interpolation/scenes/test_function.hpp"
 
 /// The functions that this chapter interpolates, with their gradients.
-namespace sph {
+namespace sph::consistency {
 
 template <int d>
 struct Function {
@@ -17,7 +17,7 @@ struct Function {
 /// 1, and Chen 2017, figs 21-22, who do not give theirs: a = 0.35, w = 0.08, b = 0.65, u = 0.12 along each
 /// axis.
 template <int d>
-Function<d> two_gaussians() {
+Function<d> sum_of_gaussians() {
     const auto bump = [](const Vector<d>& x, double centre, double width) {
         double r2 = 0;
         for (const double c : x) r2 += (c - centre) * (c - centre);
@@ -38,7 +38,8 @@ Function<d> two_gaussians() {
 /// Chapter 1's function: smooth, and neither it nor its slope vanishes at the ends.
 template <int d>
 Function<d> wave() {
-    return {TestFunction<d>::value, TestFunction<d>::gradient};
+    using Wave = interpolation::TestFunction<d>;
+    return {Wave::value, Wave::gradient};
 }
 
 /// constant + slope (x + 2 y + 3 z) + curvature x^2
@@ -58,7 +59,7 @@ Function<d> polynomial(double constant, double slope, double curvature) {
 }
 
 /// A wave that drops by 0.7 at x = 0.5: with the same slope on both sides, or (kink) with another one behind.
-inline Function<1> step(bool kink) {
+inline Function<1> step_function(bool kink) {
     constexpr double k = 2 * pi;
     const auto behind = [](double x) { return x >= 0.5; };
     return {[=](const Vector<1>& x) {
@@ -72,4 +73,4 @@ inline Function<1> step(bool kink) {
 }
 inline constexpr double step_at = 0.5;
 
-}  // namespace sph
+}  // namespace sph::consistency

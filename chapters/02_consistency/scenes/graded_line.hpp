@@ -5,7 +5,7 @@
 #include "common/core/vec.hpp"
 
 /// A line of equal masses whose density rises tenfold across the middle, as behind a shock.
-namespace sph {
+namespace sph::consistency {
 
 struct GradedLine {
     static constexpr double rise = 9, width = 0.05, middle = 0.5;
@@ -35,4 +35,4 @@ struct GradedLine {
     }
 };
 
-}  // namespace sph
+}  // namespace sph::consistency

@@ -4,10 +4,10 @@
 
 #include "chapters/01_kernel_interpolation/scenes/test_function.hpp"
 
-namespace sph {
+namespace sph::consistency {
 namespace {
 
-using Plane = QuinticSpline<2>;
+using Plane = interpolation::TestFunction<2>;
 
 /// The slopes of one way to solve, CSPM's and the least-squares one.
 template <class Solve>
@@ -21,7 +21,7 @@ std::pair<Vector<2>, Vector<2>> slopes(const HardSet& set) {
         particles.V[j] = 0.5;
     }
     Neighbours<2> neighbours;
-    const ConstantH<Plane> smoothing{1};
+    const ConstantH<AnyKernel<2>> smoothing{1, AnyKernel<2>{"quintic"}};
     neighbours.find(particles.x, smoothing.reach());
     sum_over_neighbours(particles, neighbours, smoothing,
                         Effects{MatrixGradient<Solve>{}, LinearGradient<Solve>{.h = smoothing.h}});
@@ -60,22 +60,36 @@ HardSlopes hard_slopes(const HardSet& set) {
     return result;
 }
 
+namespace {
+
+/// n x n random particles of the unit square, with the listed estimates of chapter 1's
+/// function.
+template <class... Listed>
+auto random_particles(std::size_t n, std::uint64_t seed) {
+    return InterpolationWithin<AnyKernel<2>, Free, Listed...>{Free{},
+                                                              make_points<2>(Arrangement::random, n, 0, seed),
+                                                              0.8 / static_cast<double>(n),
+                                                              Plane{},
+                                                              true,
+                                                              1,
+                                                              AnyKernel<2>{"cubic"}};
+}
+
+}  // namespace
+
 RandomPlane random_plane(std::size_t n, std::uint64_t seed) {
-    using K = CubicSpline<2>;
-    const double h = 0.8 / static_cast<double>(n);
-    const auto points = make_points<2>(Arrangement::random, n, 0, seed);
-    InterpolationWithin<K, Free, MatrixGradient<NaiveSolve>> naive{Free{}, points, h, TestFunction<2>{}};
-    InterpolationWithin<K, Free, MatrixGradient<>, Extent> guarded{Free{}, points, h, TestFunction<2>{}};
+    auto naive = random_particles<MatrixGradient<NaiveSolve>>(n, seed);
+    auto guarded = random_particles<MatrixGradient<>, Extent>(n, seed);
     const auto& unguarded = naive.estimate();
     auto particles = guarded.estimate();
     const auto before_repair = particles;
     RandomPlane plane;
-    plane.repairs = repair<K>(particles, Free{}, h, [](double larger) {
-        return Effects{MatrixGradient<>{}, Extent{.h = larger}};
+    plane.repairs = repair(particles, Free{}, guarded.smoothing(), [](double h) {
+        return Effects{MatrixGradient<>{}, Extent{.h = h}};
     });
     double largest = 0;
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        const Vector<2> exact = TestFunction<2>::gradient(naive.position(i));
+        const Vector<2> exact = Plane::gradient(naive.position(i));
         const auto miss = [&](const Columns<2>& slope) {
             return std::hypot(slope[0][i] - exact[0], slope[1][i] - exact[1]);
         };
@@ -93,4 +107,4 @@ RandomPlane random_plane(std::size_t n, std::uint64_t seed) {
     return plane;
 }
 
-}  // namespace sph
+}  // namespace sph::consistency

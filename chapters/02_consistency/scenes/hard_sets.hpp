@@ -5,7 +5,7 @@
 #include "chapters/02_consistency/repair.hpp"
 
 /// Neighbours that do not determine a slope: what the naive and the guarded correction make of them.
-namespace sph {
+namespace sph::consistency {
 
 /// Offsets of the neighbours from a particle at the origin of the plane, in units of h = 1.
 struct HardSet {
@@ -34,4 +34,4 @@ struct RandomPlane {
 };
 RandomPlane random_plane(std::size_t n, std::uint64_t seed);
 
-}  // namespace sph
+}  // namespace sph::consistency

@@ -2,13 +2,13 @@
 #include <string>
 #include <vector>
 
-#include "chapters/01_kernel_interpolation/scenes/particles.hpp"
-#include "chapters/02_consistency/scenes/functions.hpp"
 #include "chapters/02_consistency/repair.hpp"
+#include "chapters/02_consistency/scenes/functions.hpp"
+#include "common/core/arrangement.hpp"
 
 /// What every scheme makes of a function on a set of particles, and how wrong it is. Compiled once for all
 /// kernels.
-namespace sph {
+namespace sph::consistency {
 
 /// How much space a particle stands for.
 enum class Volumes {
@@ -17,7 +17,7 @@ enum class Volumes {
 };
 
 /// One set of particles of the unit interval or square, which ends where its particles end. `kernel` is one
-/// of kernel_names(); h_over_dx > 0; jitter in spacings, for jittered particles.
+/// of any_kernel_names(); h_over_dx > 0; jitter in spacings, for jittered particles.
 struct ParticleSet {
     std::string kernel = "quintic";
     Arrangement arrangement = Arrangement::even;
@@ -27,6 +27,12 @@ struct ParticleSet {
     std::uint64_t seed = 1;
     Volumes volumes = Volumes::summed;
     int threads = 1;
+
+    double h() const { return h_over_dx / static_cast<double>(per_side); }
+    template <int d>
+    Columns<d> points() const {
+        return make_points<d>(arrangement, per_side, jitter, seed);
+    }
 };
 
 /// Values and slopes at the particles: exact, and by each scheme.
@@ -36,8 +42,8 @@ struct Estimated {
     Column exact;
     Columns<d> exact_slope;
     Column sph, shepard, fit;  // (2.8), (92), line fit
-    Columns<d> plain, difference, axis, matrix, linear,
-        slope;                 // (2.11), (2.14), (94) by axes, (94), linear, line fit
+    // (2.11), (2.14), (94) by axes, (94), linear, line fit
+    Columns<d> plain, difference, axis, matrix, linear, slope;
     std::vector<bool> inside;  // neither their kernel nor their neighbours' reaches an end
     Repairs repairs;
 };
@@ -74,34 +80,4 @@ double value_error(const Estimated<d>& e, const Scheme<d>& scheme, Where where);
 template <int d>
 double slope_error(const Estimated<d>& e, const Scheme<d>& scheme, Where where);
 
-/// Moments of the particles' sums: rms of m0 - 1 and of |m1|/h, and the mean of m2/h^2 per axis over that of
-/// the kernel, minus 1.
-struct MomentDefects {
-    double m0 = 0, m1 = 0, m2 = 0;
-};
-template <int d>
-MomentDefects moment_defects(const ParticleSet& set);
-extern template MomentDefects moment_defects<1>(const ParticleSet&);
-extern template MomentDefects moment_defects<2>(const ParticleSet&);
-
-/// m0 and the component of m1/h away from the end, at particles at each distance from the end x = 0 (in 2D
-/// along the middle of the edge); even particles.
-struct AtTheEnd {
-    Column distance_over_h, m0, m1;
-};
-template <int d>
-AtTheEnd moments_at_the_end(const ParticleSet& set);
-extern template AtTheEnd moments_at_the_end<1>(const ParticleSet&);
-extern template AtTheEnd moments_at_the_end<2>(const ParticleSet&);
-
-/// The same for the integral instead of the sum, at distance s h from the end: m0 = integral of W over what
-/// is left, m1/h the integral of W x/h (Chen 2017, 82 and 86).
-struct KernelAtTheEnd {
-    double m0 = 0, m1 = 0;
-};
-template <int d>
-KernelAtTheEnd integrals_at_the_end(const std::string& kernel, double s);
-extern template KernelAtTheEnd integrals_at_the_end<1>(const std::string&, double);
-extern template KernelAtTheEnd integrals_at_the_end<2>(const std::string&, double);
-
-}  // namespace sph
+}  // namespace sph::consistency

@@ -1,5 +1,6 @@
 #include "chapters/03_euler_sph/scenes/disc.hpp"
-#include "chapters/03_euler_sph/figures/figures.hpp"
+#include "common/plot/looks.hpp"
+#include "common/report/comparison.hpp"
 
 namespace sph::euler {
 namespace {
@@ -43,12 +44,7 @@ void draw_places(report::Run& run, const DiscRun& random, const DiscRun& lattice
     positions(0, 1, "the same, relaxed", random.x);
     positions(1, 0, "from a lattice, masses ~ ρ, relaxed", lattice.x);
     plot::Panel& density = figure.at(1, 1).titled("density").labels("$r$", "ρ");
-    plot::Values r, rho;
-    for (int k = 0; k <= 100; ++k) {
-        r.push_back(k / 100.0);
-        rho.push_back(1 - r.back() * r.back());
-    }
-    density.curve(r, rho, exact_line());
+    plot::draw_exact(density, 0, 1, [](double r) { return 1 - r * r; });
     density.points(radii(random.x), random.rho, style_of(0));
     density.points(radii(lattice.x), lattice.rho, style_of(1));
     run.save(figure);
@@ -60,13 +56,8 @@ void draw_interpolated(report::Run& run, const std::array<DiscRun, 2>& stars) {
     plot::Panel& left = figure.at(0, 0).titled("$r$^{2} exp(−6$r$^{2}) by (2.8)").labels("$r$", "$A$");
     plot::Panel& right =
         figure.at(0, 1).titled("∂($r$^{2} − 1)/∂$x$ by (2.14), $r$ < 0.9").labels("$x$", "slope");
-    plot::Values r, A;
-    for (int k = 0; k <= 200; ++k) {
-        r.push_back(k / 200.0);
-        A.push_back(square(r.back()) * std::exp(-6 * square(r.back())));
-    }
-    left.curve(r, A, exact_line());
-    right.curve({-1, 1}, {-2, 2}, exact_line());
+    plot::draw_exact(left, 0, 1, [](double r) { return r * r * std::exp(-6 * r * r); });
+    right.curve({-1, 1}, {-2, 2}, plot::exact());
     for (std::size_t k = 0; k < stars.size(); ++k) {
         const DiscRun& star = stars[k];
         const Column radius = radii(star.x);
@@ -91,29 +82,23 @@ void disc(report::Run& run) {
     draw_places(run, stars[0], stars[1]);
     draw_interpolated(run, stars);
     DiscScene wider = scene_of(run, DiscStart::random_equal);
-    wider.sigma = 1.3;
+    wider.h_over_dx = 1.3;
     const DiscRun pairs = run_disc(wider);
-    report::Table table{{"particles", "σ", "number", "nearest particle [spacings]", "ρ, relative L1 by mass",
-                         "A, largest error / largest A", "slope, rms error", "before they moved"}};
-    const auto report_on = [&](const std::string& method, const std::string& label, double sigma,
-                               const DiscRun& star) {
-        const auto n = static_cast<long>(star.m.size());
-        run.result(method, n, "l1_rho", star.density_error);
-        run.result(method, n, "linf_f", star.function_error);
-        run.result(method, n, "rms_slope", star.gradient_error);
-        run.result(method, n, "rms_slope_before", star.random_gradient_error);
-        run.result(method, n, "nearest", star.nearest, "spacings");
-        run.result(method, n, "rms_speed", star.speed);
-        run.result(method, n, "momentum_drift", star.momentum);
-        run.result(method, n, "steps", static_cast<double>(star.counters.steps));
-        table.row({label, report::fixed(sigma, 1), report::fixed(static_cast<double>(n), 0),
-                   report::fixed(star.nearest, 1), report::number(star.density_error, 1),
-                   report::number(star.function_error, 1), report::number(star.gradient_error, 1),
-                   report::number(star.random_gradient_error, 1)});
+    using namespace report;
+    Comparison table{{"particles", "σ", "number"},
+                     {{"nearest particle [spacings]", "nearest", decimals(1)},
+                      {"ρ, relative L1 by mass", "l1_rho", digits(1)},
+                      {"A, largest error / largest A", "linf_f", digits(1)},
+                      {"slope, rms error", "rms_slope", digits(1)},
+                      {"before they moved", "rms_slope_before", digits(1)}}};
+    const auto add = [&](const std::string& method, const std::string& label, double sigma,
+                         const DiscRun& star) {
+        table.add(run, method, star.m.size(), {label, fixed(sigma, 1), std::to_string(star.m.size())},
+                  star.measured());
     };
-    report_on("random", style_of(0).label, 1.1, stars[0]);
-    report_on("lattice", style_of(1).label, 1.1, stars[1]);
-    report_on("random sigma=1.3", style_of(0).label, 1.3, pairs);
+    add("random", style_of(0).label, 1.1, stars[0]);
+    add("lattice", style_of(1).label, 1.1, stars[1]);
+    add("random sigma=1.3", style_of(0).label, 1.3, pairs);
     run.fill("disc", table.markdown());
 }
 

@@ -1,5 +1,4 @@
 #include "chapters/03_euler_sph/scenes/star_energy.hpp"
-#include "chapters/03_euler_sph/figures/figures.hpp"
 #include "common/report/norms.hpp"
 
 namespace sph::euler {
@@ -27,8 +26,8 @@ void energy(report::Run& run) {
             amplitude.push_back(history.amplitude);
             drift.push_back(std::max(1e-16, std::abs(history.drift)));
             const std::string method = name + " courant=" + report::number(courant, 2);
-            run.result(method, 100, "energy_amplitude", history.amplitude);
-            run.result(method, 100, "energy_drift", history.drift);
+            run.record(method, 100,
+                       {{"energy_amplitude", history.amplitude}, {"energy_drift", history.drift}});
             if (courant == 0.4 && name != "drift-kick-drift") {
                 plot::Values change;
                 for (const double value : history.change) change.push_back(1e6 * value);
@@ -51,7 +50,7 @@ void energy(report::Run& run) {
                          .marker = plot::Marker::square});
         if (name == "kick-drift-kick") {
             const double order = -report::fitted_order(courants, amplitude);
-            run.result(name, 100, "rate_energy_amplitude", order);
+            run.record(name, 100, {{"rate_energy_amplitude", order}});
             run.fill("energy-order", report::fixed(order, 2));
         }
         ++index;
@@ -64,11 +63,11 @@ void energy(report::Run& run) {
     scene.n = run.quick() ? 100 : 400;
     const long steps = run.quick() ? 5000 : 100000;
     const EnergyHistory longest = run_star_energy(scene, "kick-drift-kick", 0.3, 0.3, steps);
-    run.result("kick-drift-kick long", static_cast<long>(scene.n), "energy_amplitude", longest.amplitude);
-    run.result("kick-drift-kick long", static_cast<long>(scene.n), "energy_drift", longest.drift);
-    run.result("kick-drift-kick long", static_cast<long>(scene.n), "momentum_drift", longest.momentum);
-    run.result("kick-drift-kick long", static_cast<long>(scene.n), "steps",
-               static_cast<double>(longest.steps));
+    run.record("kick-drift-kick long", scene.n,
+               {{"energy_amplitude", longest.amplitude},
+                {"energy_drift", longest.drift},
+                {"momentum_drift", longest.momentum},
+                {"steps", static_cast<double>(longest.steps)}});
     run.fill("energy-long-amplitude", report::number(longest.amplitude, 1));
     run.fill("energy-long-drift",
              std::abs(longest.drift) < 1e-10 ? "less than 10⁻¹⁰" : report::number(longest.drift, 1));

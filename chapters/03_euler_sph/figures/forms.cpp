@@ -1,5 +1,5 @@
 #include "chapters/03_euler_sph/scenes/forms.hpp"
-#include "chapters/03_euler_sph/figures/figures.hpp"
+#include "common/report/chapter.hpp"
 
 namespace sph::euler {
 namespace {
@@ -34,7 +34,7 @@ void forms(report::Run& run) {
                             .titled("density and force of one Φ, or not")
                             .labels("time step [$h$/$c_{s}$]", "change of energy / motion");
     const Column courants = run.quick() ? Column{0.15, 0.3} : Column{0.15, 0.2, 0.3, 0.4};
-    const std::size_t per_side = run.quick() ? 12 : 24;
+    const std::size_t per_side = run.quick() ? 12 : 24, particles = per_side * per_side;
     report::Table table{
         {"density", "force", "change of momentum", "of energy, dt = 0.3 h/c_s", "dt = 0.15 h/c_s"}};
     std::size_t index = 0;
@@ -46,12 +46,12 @@ void forms(report::Run& run) {
         std::string coarse, fine;
         for (std::size_t k = 0; k < courants.size(); ++k) {
             size.push_back(std::abs(form.energy[k]));
-            run.result(form.name + " courant=" + report::number(courants[k], 2),
-                       static_cast<long>(per_side * per_side), "energy_drift", form.energy[k]);
+            run.record(form.name + " courant=" + report::number(courants[k], 2), particles,
+                       {{"energy_drift", form.energy[k]}});
             if (courants[k] == 0.3) coarse = report::number(form.energy[k], 1);
             if (courants[k] == 0.15) fine = report::number(form.energy[k], 1);
         }
-        run.result(form.name, static_cast<long>(per_side * per_side), "momentum_drift", form.momentum);
+        run.record(form.name, particles, {{"momentum_drift", form.momentum}});
         left.curve(courants, size,
                    {.label = form.density + " with " + form.force,
                     .colour = plot::cycle(index),
@@ -73,9 +73,8 @@ void forms(report::Run& run) {
         thermal.push_back(std::abs(energies.thermal));
         floor.push_back(std::max(1e-16, std::abs(energies.thermokinetic)));
         const std::string at = " courant=" + report::number(courant, 2);
-        run.result("thermal" + at, static_cast<long>(per_side * per_side), "energy_drift", energies.thermal);
-        run.result("thermokinetic" + at, static_cast<long>(per_side * per_side), "energy_drift",
-                   energies.thermokinetic);
+        run.record("thermal" + at, particles, {{"energy_drift", energies.thermal}});
+        run.record("thermokinetic" + at, particles, {{"energy_drift", energies.thermokinetic}});
     }
     right.curve(courants, thermal, {.label = "$u$, (3.14)", .marker = plot::Marker::circle});
     right.curve(courants, floor, {.label = "$e$, (3.18)", .marker = plot::Marker::square});

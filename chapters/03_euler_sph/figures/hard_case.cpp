@@ -1,6 +1,5 @@
-#include "chapters/03_euler_sph/scenes/rarefaction_scene.hpp"
+#include "chapters/03_euler_sph/scenes/rarefaction.hpp"
 #include "chapters/03_euler_sph/scenes/star_energy.hpp"
-#include "chapters/03_euler_sph/figures/figures.hpp"
 #include "common/exact/toy_star_modes.hpp"
 
 namespace sph::euler {
@@ -21,12 +20,11 @@ void hard_case(report::Run& run) {
                {.label = "force (5.8)", .colour = plot::cycle(0)});
     double farthest = 0;
     for (const double x : centres.centre) farthest = std::max(farthest, std::abs(x));
-    run.result("force 3.5", 100, "momentum_drift", centres.momentum);
-    run.result("force 3.5", 100, "farthest_centre", farthest);
-    run.result("force 5.8", 100, "momentum_drift", centres.conserving_momentum);
+    run.record("force 3.5", 100, {{"momentum_drift", centres.momentum}, {"farthest_centre", farthest}});
     double cured = 0;
     for (const double x : centres.conserving_centre) cured = std::max(cured, std::abs(x));
-    run.result("force 5.8", 100, "farthest_centre", cured);
+    run.record("force 5.8", 100,
+               {{"momentum_drift", centres.conserving_momentum}, {"farthest_centre", cured}});
     run.fill("walk", report::number(farthest, 1));
     run.fill("walk-cured", cured < 1e-12 ? "10⁻¹²" : report::number(cured, 1));
 
@@ -47,9 +45,8 @@ void hard_case(report::Run& run) {
         n.push_back(static_cast<double>(size));
         fixed.push_back(std::abs(constant));
         consistent.push_back(std::abs(own));
-        const auto count = static_cast<long>(size);
-        run.result("fixed-h mode=2", count, "omega_error", constant);
-        run.result("consistent-h mode=3", count, "omega_error", own);
+        run.record("fixed-h mode=2", size, {{"omega_error", constant}});
+        run.record("consistent-h mode=3", size, {{"omega_error", own}});
         pulsation.push_back(report::number(constant, 2));
         own_h.push_back(report::number(own, 2));
         RarefactionScene gas;

@@ -1,89 +1,85 @@
-#include "chapters/03_euler_sph/scenes/rarefaction_scene.hpp"
-#include "chapters/03_euler_sph/figures/figures.hpp"
+#include "chapters/03_euler_sph/scenes/rarefaction.hpp"
 #include "common/exact/rarefaction.hpp"
+#include "common/plot/looks.hpp"
+#include "common/report/comparison.hpp"
 #include "common/report/norms.hpp"
 
 namespace sph::euler {
+namespace {
+
+struct Line {
+    GasMethod method;
+    bool graded;
+};
+/// All methods with equal masses, and the one with Omega with graded masses too.
+std::vector<Line> all_lines() {
+    std::vector<Line> lines;
+    for (const GasMethod& method : compared_methods()) {
+        if (method.name != "super-gaussian") lines.push_back({method, false});
+    }
+    GasMethod best = lines.back().method;
+    best.label += ", graded masses";
+    best.look = {.label = best.label, .colour = plot::cycle(5), .marker = plot::Marker::plus};
+    lines.push_back({best, true});
+    return lines;
+}
+
+/// The right half of the particles.
+Column right_half(const Column& values) {
+    return {values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end()};
+}
+
+void draw_exact(plot::Panel& speed, plot::Panel& density) {
+    const exact::Rarefaction exact{1, 2, 1.4, 0.5};
+    plot::draw_exact(speed, 0, 1.8, [&](double x) { return exact.at(x, 0.4).v; });
+    plot::draw_exact(density, 0, exact.front(0.4) * (1 - 1e-9),
+                     [&](double x) { return exact.at(x, 0.4).rho; });
+}
+
+}  // namespace
 
 void rarefaction(report::Run& run) {
     plot::Figure figure{"rarefaction", 1, 3};
     figure.panel_width = 300;
-    plot::Panel& left = figure.at(0, 0).titled("200 particles, $t$ = 0.4").labels("$x$", "$v$");
-    plot::Panel& middle = figure.at(0, 1).log_y().titled("line: exact").labels("$x$", "ρ");
+    plot::Panel& left =
+        figure.at(0, 0).titled("200 particles, $t$ = 0.4").labels("$x$", "$v$").x_range(0, 1.8);
+    plot::Panel& middle = figure.at(0, 1).log_y().titled("line: exact").labels("$x$", "ρ").x_range(0, 1.8);
     plot::Panel& right = figure.at(0, 2)
                              .log_log()
                              .titled("convergence")
                              .labels("particles $N$", "relative $L$_{1} error of $v$");
-    const exact::Rarefaction exact{1, 2, 1.4, 0.5};
-    plot::Values x, v, rho;
-    for (int k = 0; k <= 200; ++k) {
-        x.push_back(1.8 * k / 200.0);
-        const auto state = exact.at(x.back(), 0.4);
-        v.push_back(state.v);
-        rho.push_back(state.rho);
-    }
-    left.curve(x, v, exact_line());
-    middle.curve(x, rho, exact_line());
-    left.x_range(0, 1.8);
-    middle.x_range(0, 1.8);
-    const std::vector<std::size_t> sizes =
-        run.quick() ? std::vector<std::size_t>{50, 100, 200} : std::vector<std::size_t>{50, 100, 200, 400};
-    struct Line {
-        Named named;
-        bool graded;
-    };
-    std::vector<Line> lines;
-    for (const Named& named : compared_schemes()) {
-        if (named.name != "super-gaussian") lines.push_back({named, false});
-    }
-    Named best = lines.back().named;
-    best.label += ", graded masses";
-    best.style.label = best.label;
-    best.style.colour = plot::cycle(5);
-    best.style.marker = plot::Marker::plus;
-    lines.push_back({best, true});
-    report::Table table{{"h", "masses", "v, N = 200", "ρ, N = 200", "v, order", "energy drift"}};
-    for (const auto& [named, graded] : lines) {
+    draw_exact(left, middle);
+    const auto sizes = run.sizes({50, 100, 200}, {50, 100, 200, 400});
+    report::Comparison table{{"h", "masses"},
+                             {{"v, N = 200", "l1_v", report::digits(2)},
+                              {"ρ, N = 200", "l1_rho", report::digits(2)},
+                              {"v, order", "rate_l1_v", report::decimals(1)},
+                              {"energy drift", "energy_drift", report::digits(1)}}};
+    for (const auto& [method, graded] : all_lines()) {
+        const std::string name = method.name + (graded ? " graded" : "");
         plot::Values n, error;
-        std::vector<std::string> row;
+        report::Quantities shown;
         for (const std::size_t size : sizes) {
             RarefactionScene scene;
             scene.n = size;
             scene.graded = graded;
             scene.threads = run.threads();
-            const RarefactionRun gas = run_rarefaction(scene, named.scheme);
+            const RarefactionRun gas = run_rarefaction(scene, method);
             n.push_back(static_cast<double>(size));
             error.push_back(gas.velocity_error);
-            const std::string method = named.name + (graded ? " graded" : "");
-            const auto count = static_cast<long>(size);
-            run.result(method, count, "l1_v", gas.velocity_error);
-            run.result(method, count, "l1_rho", gas.density_error);
-            run.result(method, count, "energy_drift", gas.energy_drift);
-            run.result(method, count, "momentum_drift", gas.momentum);
-            run.result(method, count, "edge_over_front", gas.edge / gas.front);
+            run.record(name, size, gas.measured());
+            run.record(name, size, {{"edge_over_front", gas.edge / gas.front}});
             if (size != 200) continue;
-            row = {named.label,
-                   graded ? "graded" : "equal",
-                   report::number(gas.velocity_error, 2),
-                   report::number(gas.density_error, 2),
-                   "",
-                   report::number(gas.energy_drift, 1)};
-            if (named.name != "consistent-h" && named.name != "fixed-h") continue;
-            plot::Values at, speed, density;
-            for (std::size_t i = size / 2; i < size; ++i) {
-                at.push_back(gas.x[i]);
-                speed.push_back(gas.v[i]);
-                density.push_back(gas.rho[i]);
-            }
-            left.points(at, speed, dots(named.style));
-            middle.points(at, density, dots(named.style));
+            shown = gas.measured();
+            if (method.name != "consistent-h" && method.name != "fixed-h") continue;
+            left.points(right_half(gas.x), right_half(gas.v), plot::dots(method.look));
+            middle.points(right_half(gas.x), right_half(gas.rho), plot::dots(method.look));
         }
-        right.curve(n, error, named.style);
+        right.curve(n, error, method.look);
         const double order = report::fitted_order(n, error);
-        run.result(named.name + (graded ? " graded" : ""), static_cast<long>(sizes.back()), "rate_l1_v",
-                   order);
-        row[4] = report::fixed(order, 1);
-        table.row(row);
+        run.record(name, sizes.back(), {{"rate_l1_v", order}});
+        shown.push_back({"rate_l1_v", order});
+        table.show({method.label, graded ? "graded" : "equal"}, shown);
     }
     left.legend.shown = false;
     middle.legend.shown = false;

@@ -1,5 +1,5 @@
 #include "chapters/03_euler_sph/scenes/reversal.hpp"
-#include "chapters/03_euler_sph/figures/figures.hpp"
+#include "common/plot/looks.hpp"
 
 namespace sph::euler {
 
@@ -15,20 +15,17 @@ void reversal(report::Run& run) {
                                  .titled(waves == 1 ? "figure 8: $v$(0) = 0.05 $c_{s}$ sin 2π$x$"
                                                     : "figure 9: $v$(0) = 0.05 $c_{s}$ sin 10π$x$")
                                  .labels("$x$", column == 0 ? "$v$ / $c_{s}$ at step 4000" : "");
-        plot::Values x, exact;
-        for (int k = 0; k <= 400; ++k) {
-            x.push_back(k / 400.0);
-            exact.push_back(-0.05 * std::sin(2 * pi * waves * x.back()));
-        }
-        panel.curve(x, exact, exact_line());
+        plot::draw_exact(panel, 0, 1,
+                         [waves = waves](double x) { return -0.05 * std::sin(2 * pi * waves * x); });
         std::size_t row = 0;
         for (const std::string& name : reversal_integrators()) {
             const ReversalRun back = run_reversal(name, waves, steps);
             const std::string method = name + " waves=" + std::to_string(waves);
-            run.result(method, 100, "l2_v", back.velocity_error);
-            run.result(method, 100, "rms_x", back.position_error, "dx");
-            run.result(method, 100, "energy_drift", back.energy_drift);
-            run.result(method, 100, "bitwise", back.bitwise ? 1 : 0);
+            run.record(method, 100,
+                       {{"l2_v", back.velocity_error},
+                        {"rms_x", back.position_error, "dx"},
+                        {"energy_drift", back.energy_drift},
+                        {"bitwise", back.bitwise ? 1.0 : 0.0}});
             if (name == "kick-drift-kick")
                 panel.points(back.x, back.v,
                              {.label = "kick-drift-kick",

@@ -1,10 +1,12 @@
 #include "chapters/03_euler_sph/scenes/disc.hpp"
 
-namespace sph {
+namespace sph::euler {
 namespace {
 
-using K = CubicSpline<2>;
+using K = AnyKernel<2>;
+const K cubic{"cubic"};
 using DiscGas = Gas<ConsistentH<K>, Barotropic<Quadratic>, Free, LinearForce, Damping>;
+using DiscParticles = DiscGas::P;
 
 double radius2(const Columns<2>& x, std::size_t i) {
     return square(x[0][i]) + square(x[1][i]);
@@ -37,7 +39,7 @@ void place(const DiscScene& scene, Columns<2>& x, Column& m) {
 }
 
 /// The mean distance to the nearest other particle, in spacings sqrt(m/rho). Cost: all pairs.
-double mean_nearest(const DiscGas::P& p) {
+double mean_nearest(const DiscParticles& p) {
     double sum = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
         double nearest = std::numeric_limits<double>::infinity();
@@ -55,7 +57,7 @@ struct Interpolated {
 };
 
 /// Chapter 1's estimates on these particles, with the volumes m/rho and each particle's h.
-Interpolated interpolate(const DiscGas::P& p, const Columns<2>& x) {
+Interpolated interpolate(const DiscParticles& p, const Columns<2>& x) {
     using Points =
         ParticlesOf<2, List<Position, SmoothingLength, Volume, Quantity, Value, DifferenceGradient>>;
     Points points{p.size()};
@@ -64,21 +66,21 @@ Interpolated interpolate(const DiscGas::P& p, const Columns<2>& x) {
     Column reach;
     for (std::size_t i = 0; i < p.size(); ++i) {
         points.V[i] = p.m[i] / p.rho[i];
-        reach.push_back(K::support * p.h[i]);
+        reach.push_back(cubic.support * p.h[i]);
     }
     Neighbours<2> neighbours;
     neighbours.find(points.x, reach);
     Interpolated result;
     const auto exact = [&](std::size_t i) { return radius2(x, i) * std::exp(-6 * radius2(x, i)); };
     for (std::size_t i = 0; i < p.size(); ++i) points.A[i] = exact(i);
-    sum_over_neighbours(points, neighbours, OwnH<K>{}, Effects{Value{}});
+    sum_over_neighbours(points, neighbours, OwnH<K>{cubic}, Effects{Value{}});
     const double largest = std::exp(-1.0) / 6;
     for (std::size_t i = 0; i < p.size(); ++i)
         result.function_error =
             std::max(result.function_error, std::abs(points.value[i] - exact(i)) / largest);
     result.function = points.value;
     for (std::size_t i = 0; i < p.size(); ++i) points.A[i] = radius2(x, i) - 1;
-    sum_over_neighbours(points, neighbours, OwnH<K>{}, Effects{DifferenceGradient{}});
+    sum_over_neighbours(points, neighbours, OwnH<K>{cubic}, Effects{DifferenceGradient{}});
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (radius2(x, i) >= square(0.9)) continue;
@@ -93,13 +95,14 @@ Interpolated interpolate(const DiscGas::P& p, const Columns<2>& x) {
 }  // namespace
 
 DiscRun run_disc(const DiscScene& scene) {
+    const Quadratic state{0.25};
     DiscRun run;
     Column m;
     place(scene, run.start_x, m);
     const std::size_t n = m.size();
     DiscGas gas{n,
-                ConsistentH<K>{HRule{scene.sigma}},
-                {{0.25}},
+                ConsistentH<K>{HRule{scene.h_over_dx}, 1e-12, cubic},
+                {state},
                 Free{},
                 scene.threads,
                 LinearForce{1},
@@ -107,30 +110,31 @@ DiscRun run_disc(const DiscScene& scene) {
     auto& p = gas.particles;
     p.x = run.start_x;
     p.m = m;
-    for (std::size_t i = 0; i < n; ++i) p.h[i] = scene.sigma * std::sqrt(pi / static_cast<double>(n));
+    p.h.assign(n, scene.h_over_dx * std::sqrt(pi / static_cast<double>(n)));
     gas.resolve(0);
     run.random_gradient_error = interpolate(p, p.x).gradient_error;
     // Friction acts on velocities: leapfrog is of second order for positions only, so the midpoint rule.
-    RungeKutta2<DiscGas::Motion> integrator{gas.counters()};
-    const auto rates = [&](double t) { gas.rates(t); };
+    gas.integrate_by<RungeKutta2>();
+    gas.limit_steps([&] {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < n; ++i) least = std::min(least, p.h[i] / state.sound_speed(p.rho[i]));
+        return std::min(scene.courant * least, 0.1);
+    });
     double t = 0;
-    while (t < scene.time) {
-        const double dt = std::min(gas.time_step(scene.courant, [&](std::size_t i) { return p.h[i]; }), 0.1);
-        integrator.step(p, t, std::min(dt, scene.time - t), rates);
-    }
+    march(gas, t, {.end = scene.time});
     gas.resolve(t);
-    double size = 0, mass = 0;
+    double size = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const double exact = std::max(0.0, 1 - radius2(p.x, i));
         run.density_error += p.m[i] * std::abs(p.rho[i] - exact);
         size += p.m[i] * exact;
-        mass += p.m[i];
         run.speed += p.m[i] * (square(p.v[0][i]) + square(p.v[1][i]));
     }
+    const Totals<2> totals = gas.totals();
     run.density_error /= size;
-    run.speed = std::sqrt(run.speed / mass);
-    for (const double component : gas.momentum())
-        run.momentum = std::max(run.momentum, std::abs(component) / mass);
+    run.speed = std::sqrt(run.speed / totals.mass);
+    for (const double component : totals.momentum)
+        run.momentum = std::max(run.momentum, std::abs(component) / totals.mass);
     run.nearest = mean_nearest(p);
     const Interpolated interpolated = interpolate(p, p.x);
     run.function = interpolated.function;
@@ -145,4 +149,11 @@ DiscRun run_disc(const DiscScene& scene) {
     return run;
 }
 
-}  // namespace sph
+report::Quantities DiscRun::measured() const {
+    return {{"l1_rho", density_error},        {"linf_f", function_error},
+            {"rms_slope", gradient_error},    {"rms_slope_before", random_gradient_error},
+            {"nearest", nearest, "spacings"}, {"rms_speed", speed},
+            {"momentum_drift", momentum},     {"steps", static_cast<double>(counters.steps)}};
+}
+
+}  // namespace sph::euler

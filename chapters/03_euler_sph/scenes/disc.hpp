@@ -1,10 +1,10 @@
 #pragma once
-#include "chapters/03_euler_sph/external.hpp"
 #include "chapters/03_euler_sph/gas.hpp"
+#include "common/report/chapter.hpp"
 
 /// A toy star in two dimensions that comes to rest (Monaghan 2005, 2.45 and figures 1-4): P = rho^2/4, linear
 /// force, friction. At rest rho = 1 - r^2.
-namespace sph {
+namespace sph::euler {
 
 enum class DiscStart {
     random_equal,    ///< equal masses at random places of the unit disc
@@ -13,9 +13,9 @@ enum class DiscStart {
 
 struct DiscScene {
     DiscStart start = DiscStart::random_equal;
-    std::size_t n = 971;  ///< particles; on the lattice, about as many
-    double sigma = 1.1;   ///< h = sigma sqrt(m/rho)
-    double friction = 1;  ///< nu of (2.45)
+    std::size_t n = 971;     ///< particles; on the lattice, about as many
+    double h_over_dx = 1.1;  ///< h = h_over_dx sqrt(m/rho)
+    double friction = 1;     ///< nu of (2.45)
     double time = 30;
     double courant = 0.3;
     std::uint64_t seed = 1;
@@ -34,7 +34,9 @@ struct DiscRun {
     double gradient_error = 0;         ///< root mean square for r < 0.9
     double random_gradient_error = 0;  ///< the same before the particles moved
     Counters counters;
+
+    report::Quantities measured() const;
 };
 DiscRun run_disc(const DiscScene& scene);
 
-}  // namespace sph
+}  // namespace sph::euler

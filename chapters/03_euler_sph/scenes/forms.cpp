@@ -1,9 +1,10 @@
 #include "chapters/03_euler_sph/scenes/forms.hpp"
 
-namespace sph {
+namespace sph::euler {
 namespace {
 
-using K = CubicSpline<2>;
+using K = AnyKernel<2>;
+const K cubic{"cubic"};
 constexpr double mach = 0.3, gamma_ = 1.4, h_over_dx = 1.3;
 
 /// rho = 1, c_s = 1, v along x and y in waves of the box.
@@ -18,13 +19,13 @@ void set_wave(P& p, std::size_t per_side, std::uint64_t seed) {
     }
 }
 
-struct Drift {
+struct FormDrift {
     double momentum, energy;
 };
 
 template <class Form>
-Drift run(const Form& form, std::size_t per_side, double time, std::uint64_t seed, int threads,
-          double courant) {
+FormDrift run(const Form& form, std::size_t per_side, double time, std::uint64_t seed, int threads,
+              double courant) {
     Gas<Form, Barotropic<Polytrope>, Box<2>> gas{
         per_side * per_side, form, {{1 / gamma_, gamma_}}, periodic_unit_box<2>(), threads};
     set_wave(gas.particles, per_side, seed);
@@ -35,21 +36,13 @@ Drift run(const Form& form, std::size_t per_side, double time, std::uint64_t see
         speed += gas.particles.m[i] * std::sqrt(v2);
         motion += gas.particles.m[i] * v2 / 2;
     }
-    const double start = gas.energy();
-    const auto momentum = gas.momentum();
-    RungeKutta4<typename decltype(gas)::Motion> integrator{gas.counters()};
-    const auto steps = static_cast<int>(std::ceil(time / (courant * form.h)));
+    Drifts drifts{gas};
+    gas.template integrate_by<RungeKutta4>();
     double t = 0;
-    Drift drift{0, 0};
-    for (int k = 0; k < steps; ++k) {
-        integrator.step(gas.particles, t, time / steps, [&](double now) { gas.rates(now); });
-        const auto now = gas.momentum();
-        for (std::size_t a = 0; a < 2; ++a)
-            drift.momentum = std::max(drift.momentum, std::abs(now[a] - momentum[a]) / speed);
-    }
+    march(gas, t, {.end = time, .steps = std::lround(std::ceil(time / (courant * form.h)))},
+          [&](double) { drifts.look(); });
     gas.resolve(t);
-    drift.energy = (gas.energy() - start) / motion;
-    return drift;
+    return {drifts.momentum() / speed, (gas.totals().energy - drifts.first().energy) / motion};
 }
 
 }  // namespace
@@ -62,19 +55,19 @@ std::vector<FormRun> run_forms(const Column& courants, std::size_t per_side, dou
                          const auto& form) {
         FormRun all{name, density, force, 0, courants, {}};
         for (const double courant : courants) {
-            const Drift drift = run(form, per_side, time, seed, threads, courant);
+            const FormDrift drift = run(form, per_side, time, seed, threads, courant);
             all.momentum = std::max(all.momentum, drift.momentum);
             all.energy.push_back(drift.energy);
         }
         runs.push_back(all);
     };
-    add("non-conserving", "summed (2.9)", "(3.5)", NonConservingForm<K>{{h}});
-    add("summed", "summed (2.9)", "(3.8)", FixedH<K>{h});
-    add("phi-density", "(2.18)", "(3.8), Φ = ρ", ContinuityH<K, PhiIsDensity>{h});
-    add("phi-one", "(2.17)", "(5.32), Φ = 1", ContinuityH<K, PhiIsOne>{h});
-    add("phi-root-pressure", "Φ = √$P$", "(5.36), Φ = √$P$", ContinuityH<K, PhiIsRootPressure>{h});
-    add("mixed-one-density", "(2.18)", "(5.32), Φ = 1", MixedForm<K, PhiIsOne, PhiIsDensity>{{h}});
-    add("mixed-density-one", "(2.17)", "(3.8), Φ = ρ", MixedForm<K, PhiIsDensity, PhiIsOne>{{h}});
+    add("non-conserving", "summed (2.9)", "(3.5)", NonConservingForm<K>{{h, cubic}});
+    add("summed", "summed (2.9)", "(3.8)", FixedH<K>{h, cubic});
+    add("phi-density", "(2.18)", "(3.8), Φ = ρ", ContinuityH<K, PhiIsDensity>{h, cubic});
+    add("phi-one", "(2.17)", "(5.32), Φ = 1", ContinuityH<K, PhiIsOne>{h, cubic});
+    add("phi-root-pressure", "Φ = √$P$", "(5.36), Φ = √$P$", ContinuityH<K, PhiIsRootPressure>{h, cubic});
+    add("mixed-one-density", "(2.18)", "(5.32), Φ = 1", MixedForm<K, PhiIsOne, PhiIsDensity>{{h, cubic}});
+    add("mixed-density-one", "(2.17)", "(3.8), Φ = ρ", MixedForm<K, PhiIsDensity, PhiIsOne>{{h, cubic}});
     return runs;
 }
 
@@ -91,7 +84,7 @@ DensityForms density_forms(OnLine place, bool expanding) {
     }
     const std::size_t i = place == OnLine::end ? n - 1 : n / 2;
     Neighbours<1> neighbours;
-    const ConstantH<CubicSpline<1>> smoothing{1.2 * dx};
+    const ConstantH<AnyKernel<1>> smoothing{1.2 * dx, AnyKernel<1>{"cubic"}};
     neighbours.find(p.x, smoothing.reach());
     const auto rate_of = [&](const auto& continuity) {
         Particles<1, Position, Velocity, Mass, Density, DensityRate> q{n};
@@ -116,8 +109,6 @@ DensityForms density_forms(OnLine place, bool expanding) {
 EnergyRun run_energies(double courant, std::size_t per_side, double time, std::uint64_t seed) {
     using P = Particles<2, Position, Velocity, Acceleration, Mass, Density, Pressure, ThermalEnergy, Heating,
                         ThermokineticEnergy, ThermokineticRate>;
-    using Motion = Equations<Evolve<Position, Velocity>, Evolve<Velocity, Acceleration>,
-                             Evolve<ThermalEnergy, Heating>, Evolve<ThermokineticEnergy, ThermokineticRate>>;
     P p{per_side * per_side};
     set_wave(p, per_side, seed);
     const IdealGas state{gamma_};
@@ -129,7 +120,7 @@ EnergyRun run_energies(double courant, std::size_t per_side, double time, std::u
         motion += p.m[i] * kinetic;
     }
     const double h = h_over_dx / static_cast<double>(per_side);
-    const ConstantH<K> smoothing{h};
+    const ConstantH<K> smoothing{h, cubic};
     Neighbours<2, Box<2>> neighbours{periodic_unit_box<2>()};
     const auto rates = [&](double) {
         neighbours.find(p.x, smoothing.reach());
@@ -147,12 +138,17 @@ EnergyRun run_energies(double courant, std::size_t per_side, double time, std::u
         return sum;
     };
     const auto start = totals();
-    RungeKutta2<Motion> integrator{neighbours.counters()};
-    const auto steps = static_cast<int>(std::ceil(time / (courant * h)));
+    Motion motions{neighbours.team()};
+    motions.evolve<Position, Velocity>(p)
+        .evolve<Velocity, Acceleration>(p)
+        .evolve<ThermalEnergy, Heating>(p)
+        .evolve<ThermokineticEnergy, ThermokineticRate>(p)
+        .watch(p);
+    RungeKutta2 integrator{motions, rates};
     double t = 0;
-    for (int k = 0; k < steps; ++k) integrator.step(p, t, time / steps, rates);
+    march(integrator, t, {.end = time, .steps = std::lround(std::ceil(time / (courant * h)))});
     const auto end = totals();
     return {(end[0] - start[0]) / motion, (end[1] - start[1]) / motion};
 }
 
-}  // namespace sph
+}  // namespace sph::euler

@@ -5,7 +5,7 @@
 
 /// What each form of the equations conserves: a sound wave in a periodic box in two dimensions, on jittered
 /// particles, so that nothing cancels by symmetry.
-namespace sph {
+namespace sph::euler {
 
 /// (3.5) with summed density.
 template <class K>
@@ -45,4 +45,4 @@ struct EnergyRun {
 };
 EnergyRun run_energies(double courant, std::size_t per_side = 24, double time = 1, std::uint64_t seed = 1);
 
-}  // namespace sph
+}  // namespace sph::euler

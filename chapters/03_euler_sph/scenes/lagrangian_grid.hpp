@@ -1,15 +1,16 @@
 #pragma once
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "common/core/stepper.hpp"
+
 /// The competitor in one dimension: a second-order Lagrangian grid without viscosity (von Neumann & Richtmyer
 /// 1950, with their viscosity left out). Cells hold mass, their faces move; no kernel, no neighbours to find.
-namespace sph {
+namespace sph::euler {
 
 /// dv_f/dt = -(P_right - P_left)/m_f - Omega^2 x_f, rho = m/(x_{f+1} - x_f), by leapfrog.
 template <class State>
-class LagrangianGrid {
+class LagrangianGrid : public Stepper {
   public:
     std::vector<double> x, v;  ///< of the faces: one more than cells; periodic: as many
     std::vector<double> m;     ///< of the cells, between faces k and k + 1
@@ -23,12 +24,14 @@ class LagrangianGrid {
         return m[cell] / ((last ? x[0] + period_ : x[cell + 1]) - x[cell]);
     }
     /// One step of kick-drift-kick. Cost: an equation of state a cell.
-    void step(double dt) {
+    bool step(double& t, double dt) override {
         if (a_.empty()) accelerate();
         advance(v, a_, dt / 2);
         advance(x, v, dt);
         accelerate();
         advance(v, a_, dt / 2);
+        t += dt;
+        return true;
     }
 
   private:
@@ -54,4 +57,4 @@ class LagrangianGrid {
     std::vector<double> p_, a_;
 };
 
-}  // namespace sph
+}  // namespace sph::euler

@@ -1,9 +1,9 @@
 #include "chapters/03_euler_sph/scenes/necklace.hpp"
 
-namespace sph {
+namespace sph::euler {
 namespace {
 
-using K = QuinticSpline<2>;
+using K = AnyKernel<2>;
 using VortexGas = Gas<FixedH<K>, Barotropic<Quadratic>, Box<2>>;
 using Tracers = Particles<2, Position, Velocity, Acceleration>;
 
@@ -25,12 +25,15 @@ double circulation(const Tracers& p) {
 }
 
 /// The gas and both necklaces, advanced together by drift-kick-drift.
-class Flow {
+class Flow : public Stepper {
   public:
     explicit Flow(const NecklaceScene& scene)
-        : h_{scene.h / static_cast<double>(scene.per_side)},
-          gas_{
-              scene.per_side * scene.per_side, FixedH<K>{h_}, {{0.5}}, periodic_unit_box<2>(), scene.threads},
+        : smoothing_{scene.h_over_dx / static_cast<double>(scene.per_side), K{"quintic"}},
+          gas_{scene.per_side * scene.per_side,
+               {smoothing_.h, smoothing_.kernel},
+               {{0.5}},
+               periodic_unit_box<2>(),
+               scene.threads},
           tracers_{scene.tracers},
           carried_{scene.tracers},
           around_{periodic_unit_box<2>(), scene.threads} {
@@ -50,47 +53,45 @@ class Flow {
                 tracers_.v[a][l] = carried_.v[a][l] = v[a];
             }
         }
+        for (Tracers* tracers : {&tracers_, &carried_}) moved_.evolve<Position, Velocity>(*tracers);
+        pushed_.evolve<Velocity, Acceleration>(tracers_);
         gas_.resolve(0);
         carry();
     }
-    void step(double dt) {
+    bool step(double& t, double dt) override {
         drift(dt / 2);
-        gas_.rates(t_ + dt / 2);
-        force();
-        using Motion = VortexGas::Motion;
-        Motion::kick(gas_.particles, dt);
-        Motion::kick(tracers_, dt);
+        gas_.rates(t + dt / 2);
+        sum_around(tracers_, Effects{TracerForce{1}});
+        gas_.motion().kick(dt);
+        pushed_.kick(dt);
         carry();
         drift(dt / 2);
         carry();
-        t_ += dt;
-        Motion::require_physical(gas_.particles, t_);
+        t += dt;
+        gas_.motion().require_physical(t);
+        return true;
     }
     VortexGas& gas() { return gas_; }
     const Tracers& tracers() const { return tracers_; }
     const Tracers& carried() const { return carried_; }
-    double h() const { return h_; }
+    double h() const { return smoothing_.h; }
 
   private:
     void drift(double dt) {
-        for (auto* p : {&tracers_, &carried_}) VortexGas::Motion::drift(*p, dt);
-        VortexGas::Motion::drift(gas_.particles, dt);
+        moved_.kick(dt);  // the velocities are no values of this motion
+        gas_.motion().drift(dt);
     }
-    void force() {
-        find_around(tracers_);
-        sum_over_neighbours(tracers_, gas_.particles, around_, ConstantH<K>{h_}, Effects{TracerForce{1}});
-    }
-    void carry() {
-        find_around(carried_);
-        sum_over_neighbours(carried_, gas_.particles, around_, ConstantH<K>{h_}, Effects{CarriedVelocity{}});
-    }
-    void find_around(const Tracers& p) {
-        around_.find_around(p.x, std::array{K::support * h_}, gas_.particles.x, Keep::nothing);
+    void carry() { sum_around(carried_, Effects{CarriedVelocity{}}); }
+    template <class E>
+    void sum_around(Tracers& p, const E& effects) {
+        around_.find_around(p.x, std::array{smoothing_.reach()}, gas_.particles.x, Keep::nothing);
+        sum_over_neighbours(p, gas_.particles, around_, smoothing_, effects);
     }
 
-    double h_, t_ = 0;
+    ConstantH<K> smoothing_;
     VortexGas gas_;
     Tracers tracers_, carried_;
+    Motion moved_, pushed_;
     Neighbours<2, Box<2>> around_;
 };
 
@@ -100,22 +101,23 @@ NecklaceRun run_necklace(const NecklaceScene& scene) {
     Flow flow{scene};
     NecklaceRun run;
     run.start = flow.tracers().x;
-    const double first = circulation(flow.tracers()), first_carried = circulation(flow.carried());
-    const double energy = flow.gas().energy(), motion = square(scene.mach) / 4;
-    const double dt_most = scene.courant * flow.h() / (1 + scene.mach);
-    const auto steps = static_cast<int>(std::ceil(scene.time / dt_most));
-    for (int k = 0; k <= steps; ++k) {
-        if (k > 0) flow.step(scene.time / steps);
-        run.t.push_back(scene.time * k / steps);
+    Drifts drifts{flow.gas()};
+    const auto look = [&](double t) {
+        run.t.push_back(t);
         run.circulation.push_back(circulation(flow.tracers()));
         run.carried.push_back(circulation(flow.carried()));
-        run.drift = std::max(run.drift, std::abs(run.circulation.back() / first - 1));
-        run.carried_drift = std::max(run.carried_drift, std::abs(run.carried.back() / first_carried - 1));
-        flow.gas().resolve(run.t.back());
-        run.energy_drift = std::max(run.energy_drift, std::abs(flow.gas().energy() - energy) / motion);
-    }
+        run.drift = std::max(run.drift, std::abs(run.circulation.back() / run.circulation[0] - 1));
+        run.carried_drift = std::max(run.carried_drift, std::abs(run.carried.back() / run.carried[0] - 1));
+        flow.gas().resolve(t);
+        drifts.look();
+    };
+    look(0);
+    const double longest = scene.courant * flow.h() / (1 + scene.mach);
+    double t = 0;
+    march(flow, t, {.end = scene.time, .steps = std::lround(std::ceil(scene.time / longest))}, look);
+    run.energy_drift = drifts.energy() / (square(scene.mach) / 4);
     run.end = flow.tracers().x;
     return run;
 }
 
-}  // namespace sph
+}  // namespace sph::euler

@@ -1,9 +1,9 @@
 #include "chapters/03_euler_sph/scenes/patch.hpp"
 
-namespace sph {
+namespace sph::euler {
 namespace {
 
-using K = QuinticSpline<2>;
+using K = AnyKernel<2>;
 using Liquid = Gas<ContinuityH<K, PhiIsOne>, Barotropic<Cole>>;
 
 /// (2.46) with V = L = 1, about the middle of the square.
@@ -23,7 +23,11 @@ double angular_momentum(const Liquid::P& p) {
 
 PatchRun run_patch(const PatchScene& scene) {
     const double dx = 1 / static_cast<double>(scene.per_side), h = 1.2 * dx;
-    Liquid liquid{scene.per_side * scene.per_side, {h}, {{1, scene.sound_speed, 7}}, Free{}, scene.threads};
+    Liquid liquid{scene.per_side * scene.per_side,
+                  {h, K{"quintic"}},
+                  {{1, scene.sound_speed, 7}},
+                  Free{},
+                  scene.threads};
     auto& p = liquid.particles;
     p.x = make_points<2>(Arrangement::even, scene.per_side, 0, 1);
     double speed = 0, moment = 0;
@@ -37,35 +41,41 @@ PatchRun run_patch(const PatchScene& scene) {
         moment += p.m[i] * std::sqrt(dot(v, v) * (square(p.x[0][i]) + square(p.x[1][i])));
     }
     liquid.resolve(0);
-    const double start = liquid.energy(), spin = angular_momentum(p);
-    const Vector<2> momentum = liquid.momentum();
-    RungeKutta4<Liquid::Motion> integrator{liquid.counters()};
-    const auto rates = [&](double t) { liquid.rates(t); };
-    const auto steps =
-        static_cast<int>(std::ceil(scene.time / (scene.courant * h / (scene.sound_speed + 1))));
+    Drifts drifts{liquid};
+    const double start = drifts.first().energy, spin = angular_momentum(p);
+    liquid.integrate_by<RungeKutta4>();
+    const long steps = std::lround(std::ceil(scene.time / (scene.courant * h / (scene.sound_speed + 1))));
     PatchRun run;
     double t = 0;
-    for (int k = 1; k <= steps; ++k) {
-        integrator.step(p, t, scene.time / steps, rates);
-        if (k % 10 != 0 && k != steps && k != steps / 2) continue;
-        liquid.resolve(t);
-        run.t.push_back(t);
-        run.energy.push_back((liquid.energy() - start) / start);
-        run.energy_drift = std::max(run.energy_drift, std::abs(run.energy.back()));
-        const Vector<2> change = liquid.momentum() - momentum;
-        for (const double component : change)
-            run.momentum = std::max(run.momentum, std::abs(component) / speed);
+    long k = 0;
+    march(liquid, t, {.end = scene.time, .steps = steps}, [&](double now) {
+        ++k;
+        if (k % 10 != 0 && k != steps && k != steps / 2) return;
+        liquid.resolve(now);
+        drifts.look();
+        run.t.push_back(now);
+        run.energy.push_back((liquid.totals().energy - start) / start);
         run.angular_momentum = std::max(run.angular_momentum, std::abs(angular_momentum(p) - spin) / moment);
         for (const double rho : p.rho) run.compression = std::max(run.compression, std::abs(rho - 1));
         if (k == steps / 2) {
             run.middle_x = p.x;
             run.middle_pressure = p.p;
         }
-    }
+    });
+    run.energy_drift = drifts.energy() / start;
+    run.momentum = drifts.momentum() / speed;
     run.x = p.x;
     run.pressure = p.p;
     run.counters = liquid.counters();
     return run;
 }
 
-}  // namespace sph
+report::Quantities PatchRun::measured() const {
+    return {{"energy_drift", energy_drift},
+            {"momentum_drift", momentum},
+            {"angular_momentum_drift", angular_momentum},
+            {"compression", compression},
+            {"steps", static_cast<double>(counters.steps)}};
+}
+
+}  // namespace sph::euler

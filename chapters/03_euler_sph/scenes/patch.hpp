@@ -1,8 +1,9 @@
 #pragma once
 #include "chapters/03_euler_sph/gas.hpp"
+#include "common/report/chapter.hpp"
 
 /// A square of liquid that its own motion distorts (Colagrossi 2004; Monaghan 2005, 2.46 and figure 5).
-namespace sph {
+namespace sph::euler {
 
 struct PatchScene {
     std::size_t per_side = 40;
@@ -21,7 +22,9 @@ struct PatchRun {
     double energy_drift = 0;
     double compression = 0;  ///< largest |rho/rho_0 - 1|
     Counters counters;
+
+    report::Quantities measured() const;
 };
 PatchRun run_patch(const PatchScene& scene);
 
-}  // namespace sph
+}  // namespace sph::euler

@@ -5,7 +5,7 @@
 
 /// The oscillation of Monaghan 2005, section 6.1: a finite wave, run forward, its velocities reversed, and
 /// run for as many steps again. Equations that come from a Lagrangian can return; which integrators let them?
-namespace sph {
+namespace sph::euler {
 
 inline std::vector<std::string> reversal_integrators() {
     return {"kick-drift-kick", "drift-kick-drift", "reversible steps", "fixed point", "RK4", "naive steps"};
@@ -24,4 +24,4 @@ struct ReversalRun {
 /// Fixed h = 1.3 spacings, cubic spline, gamma = 1.4, velocity 0.05 c_s sin(2 pi waves x).
 ReversalRun run_reversal(const std::string& integrator, int waves, int steps = 2000, std::size_t n = 100);
 
-}  // namespace sph
+}  // namespace sph::euler

@@ -1,160 +1,186 @@
 #include "chapters/03_euler_sph/scenes/star.hpp"
 
-#include <Eigen/Eigenvalues>
-
-#include "chapters/03_euler_sph/scenes/star_rest.hpp"
-#include "common/exact/toy_star.hpp"
 #include "common/exact/toy_star_modes.hpp"
-#include "common/report/timer.hpp"
+#include "common/plot/looks.hpp"
+#include "common/report/norms.hpp"
 
-namespace sph {
+namespace sph::euler {
 namespace {
 
 /// The part of a velocity that is the mode, weighted by mass.
-template <class P>
-double projection(const P& p, const Column& eigenfunction) {
+double projection(const LineGas& gas, const Column& eigenfunction) {
     double sum = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) sum += p.m[i] * p.v[0][i] * eigenfunction[i];
+    for (std::size_t i = 0; i < gas.size(); ++i)
+        sum += gas.get<Mass>()[i] * gas.get<Velocity>()[0][i] * eigenfunction[i];
     return sum;
 }
 
 /// The exact radius-to-second-moment relation: <x^2> = R^2/(2/(gamma - 1) + 3).
-template <class P>
-double radius_of(const P& p, double gamma) {
+double radius_of(const LineGas& gas, double gamma) {
     double mass = 0, moment = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        mass += p.m[i];
-        moment += p.m[i] * square(p.x[0][i]);
+    for (std::size_t i = 0; i < gas.size(); ++i) {
+        const double m = gas.get<Mass>()[i];
+        mass += m;
+        moment += m * square(gas.get<Position>()[0][i]);
     }
     return std::sqrt(moment / mass * (2 / (gamma - 1) + 3));
 }
 
-template <class Resolution>
-StarRun mode(const StarScene& scene, const Resolution& resolution, int mode, int periods, double phase_step) {
-    auto gas = star_gas(scene, resolution);
-    const Eigen::MatrixXd J = relax(gas);
-    auto& p = gas.particles;
-    constexpr double amplitude = 1e-6;
-    Column shape;
-    for (std::size_t i = 0; i < scene.n; ++i) {
-        shape.push_back(exact::toy_star_velocity(scene.gamma, mode, std::clamp(p.x[0][i], -1.0, 1.0)));
-        p.v[0][i] = amplitude * shape[i];
+/// Against the exact star at the end, by the widths of the particles.
+void compare(NonlinearRun& run, const LineGas& gas, const exact::ToyStar& star, double t) {
+    for (std::size_t k = 0; k < run.t.size(); ++k) {
+        run.exact_radius.push_back(star.at(run.t[k]).radius);
+        run.radius_error = std::max(run.radius_error, std::abs(run.radius[k] / run.exact_radius[k] - 1));
     }
+    run.x = gas.get<Position>()[0];
+    run.rho = gas.get<Density>();
+    run.v = gas.get<Velocity>()[0];
+    const auto end = star.at(t);
+    Column width;
+    for (std::size_t i = 0; i < run.x.size(); ++i) {
+        run.exact_rho.push_back(end.density(run.x[i]));
+        run.exact_v.push_back(end.velocity(run.x[i]));
+        width.push_back(gas.get<Mass>()[i] / run.rho[i]);
+    }
+    // A star that does not move at the end has no relative error.
+    if (std::any_of(run.exact_v.begin(), run.exact_v.end(), [](double v) { return v != 0; }))
+        run.velocity_error = report::l1_error(run.v, run.exact_v, width);
+}
+
+}  // namespace
+
+void fill_star(LineGas& gas, const StarScene& scene) {
+    const StarPoints points = star_points(scene);
+    gas.get<Position>()[0] = points.x;
+    gas.get<Mass>() = points.m;
+    for (std::size_t i = 0; i < scene.n; ++i) gas.get<Density>()[i] = points.m[i] / points.width[i];
+    gas.start(0);
+}
+
+std::unique_ptr<LineGas> star_gas(const StarScene& scene, const GasMethod& method) {
+    auto gas = with_resolution_at_rest(method, scene.mean_spacing(), [&](const auto& resolution) {
+        return line_gas(scene.n, resolution, Barotropic<Polytrope>{scene.state()}, Free{}, scene.threads,
+                        LinearForce{1});
+    });
+    fill_star(*gas, scene);
+    return gas;
+}
+
+double star_step(const LineGas& gas, const StarScene& scene, double courant) {
+    const Column &m = gas.get<Mass>(), &rho = gas.get<Density>();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < m.size(); ++i)
+        least = std::min(least, m[i] / rho[i] / scene.state().sound_speed(rho[i]));
+    return courant * least;
+}
+
+StarRun run_mode(const StarScene& scene, const GasMethod& method, int mode, int periods, double phase_step) {
+    const auto gas = star_gas(scene, method);
+    const Dense J = relax(*gas);
+    constexpr double amplitude = 1e-6;
+    Column shape, &v = gas->get<Velocity>()[0];
+    for (const double x : gas->get<Position>()[0])
+        shape.push_back(exact::toy_star_velocity(scene.gamma, mode, std::clamp(x, -1.0, 1.0)));
+    for (std::size_t i = 0; i < scene.n; ++i) v[i] = amplitude * shape[i];
     // The fastest oscillation of the discrete star, by Gershgorin; RK4 is stable to 2.8 of its phase.
-    const double fastest = std::sqrt(J.cwiseAbs().rowwise().sum().maxCoeff());
+    double fastest2 = 0;
+    for (std::size_t i = 0; i < J.size(); ++i) {
+        double row = 0;
+        for (std::size_t j = 0; j < J.size(); ++j) row += std::abs(J(i, j));
+        fastest2 = std::max(fastest2, row);
+    }
     const double expected = exact::toy_star_frequency(scene.gamma, mode);
-    const double dt = std::min(2 / fastest, phase_step / expected);
-    RungeKutta4<typename StarGas<Resolution>::Motion> integrator{gas.counters()};
-    const auto rates = [&](double time) { gas.rates(time); };
-    const double start = projection(p, shape);
+    const double dt = std::min(2 / std::sqrt(fastest2), phase_step / expected);
+    gas->integrate_by<RungeKutta4>();
+    gas->limit_steps([dt] { return dt; });
+    const double start = projection(*gas, shape);
     double t = 0, before = 1;
     std::vector<double> falls;  // times at which the velocity changes from + to -: whole periods apart
-    StarRun run;
-    while (falls.size() <= static_cast<std::size_t>(periods)) {
-        integrator.step(p, t, dt, rates);
-        const double now = projection(p, shape) / start;
-        if (before > 0 && now <= 0) falls.push_back(t - std::asin(std::min(1.0, -now)) / expected);
+    march(*gas, t, {.end = std::numeric_limits<double>::max()}, [&](double when) {
+        const double now = projection(*gas, shape) / start;
+        if (before > 0 && now <= 0) falls.push_back(when - std::asin(std::min(1.0, -now)) / expected);
         before = now;
-    }
+        return falls.size() <= static_cast<std::size_t>(periods);
+    });
+    StarRun run;
     run.omega = 2 * std::numbers::pi * periods / (falls.back() - falls.front());
-    const double end = 2 * std::numbers::pi / expected * (periods + 1);  // all velocity again
-    while (t < end) integrator.step(p, t, std::min(dt, end - t), rates);
-    run.x = p.x[0];
+    march(*gas, t, {.end = 2 * std::numbers::pi / expected * (periods + 1)});  // all velocity again
+    run.x = gas->get<Position>()[0];
     for (std::size_t i = 0; i < scene.n; ++i) {
-        run.v.push_back(p.v[0][i] / amplitude);
+        run.v.push_back(v[i] / amplitude);
         run.exact_v.push_back(shape[i] * std::cos(expected * t));
     }
     return run;
 }
 
-template <class Resolution>
-NonlinearRun nonlinear(const StarScene& scene, const Resolution& resolution, double A_0, double time,
-                       double courant) {
-    auto gas = star_gas(scene, resolution);
-    relax(gas);
-    auto& p = gas.particles;
-    for (std::size_t i = 0; i < scene.n; ++i) p.v[0][i] = A_0 * p.x[0][i];
-    const exact::ToyStar star{scene.gamma, scene.state().K, 1, A_0, 1, 1};
-    KickDriftKick<typename StarGas<Resolution>::Motion> integrator{gas.counters()};
-    const auto rates = [&](double now) { gas.rates(now); };
-    gas.rates(0);
-    gas.counters() = {};  // of the oscillation only
-    const double start = gas.energy();
-    NonlinearRun run;
+NonlinearRun run_nonlinear(const StarScene& scene, const GasMethod& method, double A_0, double time,
+                           double courant) {
+    const auto gas = star_gas(scene, method);
+    relax(*gas);
+    for (std::size_t i = 0; i < scene.n; ++i) gas->get<Velocity>()[0][i] = A_0 * gas->get<Position>()[0][i];
+    const exact::ToyStar star = scene.exact(A_0);
+    gas->rates(0);
+    gas->counters() = {};  // of the oscillation only
+    Drifts drifts{*gas};
     // Time steps suit the star at its smallest: spacing/c_s goes as radius^((gamma + 1)/2).
     double smallest = 1;
     for (int k = 0; k <= 1000; ++k) smallest = std::min(smallest, star.at(star.period() * k / 1000).radius);
-    double rest = gas.time_step(courant, [&](std::size_t i) { return p.m[i] / p.rho[i]; });
-    const auto steps = static_cast<int>(std::ceil(time / (rest * std::pow(smallest, (scene.gamma + 1) / 2))));
+    const double dt = star_step(*gas, scene, courant) * std::pow(smallest, (scene.gamma + 1) / 2);
+    const long steps = std::lround(std::ceil(time / dt)), shown = std::max(1L, steps / 400);
+    NonlinearRun run;
     double t = 0;
-    const double begin = report::thread_cpu_seconds();
-    const int shown = std::max(1, steps / 400);
-    for (int step = 1; step <= steps; ++step) {
-        integrator.step(p, t, time / steps, rates);
-        run.energy_drift = std::max(run.energy_drift, std::abs(gas.energy() / start - 1));
-        if (step % shown != 0 && step != steps) continue;
-        run.t.push_back(t);
-        run.radius.push_back(radius_of(p, scene.gamma));
-    }
-    run.seconds = report::thread_cpu_seconds() - begin;
-    for (std::size_t k = 0; k < run.t.size(); ++k) {
-        run.exact_radius.push_back(star.at(run.t[k]).radius);
-        run.radius_error = std::max(run.radius_error, std::abs(run.radius[k] / run.exact_radius[k] - 1));
-    }
-    const auto end = star.at(t);
-    double error = 0, size = 0;
-    for (std::size_t i = 0; i < scene.n; ++i) {
-        const double x = p.x[0][i], width = p.m[i] / p.rho[i];
-        run.exact_rho.push_back(end.density(x));
-        run.exact_v.push_back(end.velocity(x));
-        error += width * std::abs(p.v[0][i] - run.exact_v[i]);
-        size += width * std::abs(run.exact_v[i]);
-    }
-    run.velocity_error = error / size;
-    run.momentum = gas.momentum()[0];
-    run.counters = gas.counters();
-    run.x = p.x[0];
-    run.rho = p.rho;
-    run.v = p.v[0];
+    long step = 0;
+    run.seconds = march(*gas, t, {.end = time, .steps = steps, .progress = scene.progress}, [&](double now) {
+                      drifts.look();
+                      if (++step % shown != 0 && step != steps) return;
+                      run.t.push_back(now);
+                      run.radius.push_back(radius_of(*gas, scene.gamma));
+                  }).seconds;
+    run.energy_drift = drifts.energy() / std::abs(drifts.first().energy);
+    run.momentum = gas->totals().momentum[0];
+    run.counters = gas->counters();
+    compare(run, *gas, star, t);
     return run;
 }
 
-}  // namespace
-
-std::vector<double> star_frequencies(const StarScene& scene, const GasScheme& scheme, int modes) {
-    return with_scheme(scheme, 2.0 / static_cast<double>(scene.n), [&](const auto& resolution) {
-        auto gas = star_gas(scene, resolution);
-        const Eigen::EigenSolver<Eigen::MatrixXd> solver{relax(gas), false};
-        std::vector<double> omega;
-        for (const auto& value : solver.eigenvalues())
-            omega.push_back(std::sqrt(std::max(0.0, -value.real())));
-        std::sort(omega.begin(), omega.end());
-        omega.resize(static_cast<std::size_t>(modes));
-        return omega;
-    });
+report::Quantities NonlinearRun::measured() const {
+    report::Quantities all{{"radius_error", radius_error}};
+    if (velocity_error > 0) all.push_back({"l1_v", velocity_error});
+    all.push_back({"energy_drift", energy_drift});
+    all.push_back({"momentum_drift", momentum});
+    all.push_back({"steps", static_cast<double>(counters.steps)});
+    all.push_back({"pairs", static_cast<double>(counters.pairs)});
+    return all;
 }
 
-Column star_omega(const StarScene& scene, const GasScheme& scheme) {
-    return with_scheme(scheme, 2.0 / static_cast<double>(scene.n), [&](const auto& resolution) {
-        auto gas = star_gas(scene, resolution);
-        relax(gas);
-        if constexpr (requires { gas.particles.Omega; }) return gas.particles.Omega;
-        return Column{};
-    });
+void StarCommand::declare(app::CommandLine& line) {
+    choice_.declare(line, resolutions_at_rest());
+    line.number("gamma", gamma_, {1, 100, true}, "", "adiabatic index")
+        .number("amplitude", amplitude_, {0, 10}, "Omega", "A_0: v = A_0 x at t = 0")
+        .choice("spacing", spacing_, {"even", "graded", "masses"}, "of the particles")
+        .integer("particles", particles_, 8, 1000, "of the star")
+        .number("time", time_, {0.01, 100}, "1/Omega", "how long it runs");
 }
 
-StarRun run_mode(const StarScene& scene, const GasScheme& scheme, int number, int periods,
-                 double phase_step) {
-    return with_scheme(scheme, 2.0 / static_cast<double>(scene.n), [&](const auto& resolution) {
-        return mode(scene, resolution, number, periods, phase_step);
-    });
+void StarCommand::run(report::Run& run) const {
+    StarScene scene;
+    scene.n = static_cast<std::size_t>(particles_);
+    scene.gamma = gamma_;
+    scene.spacing = spacing_ == "even"     ? Spacing::even
+                    : spacing_ == "masses" ? Spacing::masses
+                                           : Spacing::graded;
+    scene.threads = run.threads();
+    scene.progress = run.progress();
+    const NonlinearRun star = run_nonlinear(scene, choice_.method, amplitude_, time_);
+    run.record(choice_.method.resolution, scene.n, star.measured());
+    run.write("profile.csv", report::csv({{"x", star.x},
+                                          {"rho", star.rho},
+                                          {"v", star.v},
+                                          {"exact_rho", star.exact_rho},
+                                          {"exact_v", star.exact_v}}));
+    plot::Figure figure{"star"};
+    plot::beside_exact(figure.panel().labels("$x$", "ρ"), star.x, star.exact_rho, star.x, star.rho, 4);
+    run.save(figure);
 }
 
-NonlinearRun run_nonlinear(const StarScene& scene, const GasScheme& scheme, double A_0, double time,
-                           double courant) {
-    return with_scheme(scheme, 2.0 / static_cast<double>(scene.n), [&](const auto& resolution) {
-        return nonlinear(scene, resolution, A_0, time, courant);
-    });
-}
-
-}  // namespace sph
+}  // namespace sph::euler

@@ -1,21 +1,14 @@
 #include "chapters/03_euler_sph/scenes/star_energy.hpp"
 
-#include "chapters/03_euler_sph/scenes/forms.hpp"
-#include "chapters/03_euler_sph/scenes/star_rest.hpp"
-#include "common/exact/toy_star.hpp"
 #include "common/exact/toy_star_modes.hpp"
 
-namespace sph {
+namespace sph::euler {
 namespace {
 
-using K = CubicSpline<1>;
-using Star = StarGas<ConsistentH<K>>;
-using Motion = Star::Motion;
-
 /// Means over whole periods, and the line through them.
-class Drift {
+class MeanDrift {
   public:
-    explicit Drift(double period) : period_{period} {}
+    explicit MeanDrift(double period) : period_{period} {}
     void add(double t, double value) {
         const auto now = static_cast<long>(t / period_);
         if (now != window_) close();
@@ -49,48 +42,26 @@ class Drift {
     std::vector<double> means_;
 };
 
-/// Makes the steps that `step(t)` makes, and watches energy and momentum.
-template <class Step>
-EnergyHistory watch(Star& gas, double A_0, double period, long steps, Step&& step) {
-    gas.rates(0);
-    const double start = gas.energy();
-    Drift drift{period};
-    EnergyHistory history;
-    double t = 0, low = 0, high = 0, mass = 0;
-    for (const double m : gas.particles.m) mass += m;
-    for (long k = 1; k <= steps; ++k) {
-        step(t);
-        const double change = gas.energy() / start - 1;
-        drift.add(t, change);
-        if (t < period) {
-            low = std::min(low, change);
-            high = std::max(high, change);
-        }
-        history.momentum = std::max(history.momentum, std::abs(gas.momentum()[0]) / (mass * A_0));
-        if (k % std::max(1L, steps / 500) != 0) continue;
-        history.t.push_back(t);
-        history.change.push_back(change);
+/// Lets a gas step by the integrator of that name, with steps of dt, or as long as limit() says.
+void integrate_by_name(LineGas& gas, const std::string& name, const std::function<double()>& limit) {
+    const double dt = limit();
+    gas.limit_steps([dt] { return dt; });
+    if (name == "kick-drift-kick") {
+        gas.integrate_by<KickDriftKick>();
+    } else if (name == "drift-kick-drift") {
+        gas.integrate_by<DriftKickDrift>();
+    } else if (name == "RK4") {
+        gas.integrate_by<RungeKutta4>();
+    } else if (name == "reversible steps") {
+        gas.integrate_by<ReversibleSteps>(limit, dt);
+        gas.limit_steps({});
+    } else if (name == "naive steps") {  // the limit at the beginning of the step, as most codes do
+        gas.integrate_by<KickDriftKick>();
+        gas.limit_steps(limit);
+    } else {
+        throw std::invalid_argument{"no such integrator: " + name};
     }
-    history.amplitude = (high - low) / 2;
-    history.drift = drift.total();
-    history.steps = steps;
-    return history;
 }
-
-/// Drift-kick-drift leaves the density of the middle: the energy wants that of the end.
-template <class Integrator>
-EnergyHistory with(Star& gas, double A_0, double period, long steps, double dt) {
-    Integrator integrator{gas.counters()};
-    return watch(gas, A_0, period, steps, [&](double& t) {
-        integrator.step(gas.particles, t, dt, [&](double now) { gas.rates(now); });
-        if constexpr (!std::is_same_v<Integrator, KickDriftKick<Motion>>) gas.resolve(t);
-    });
-}
-
-struct NonConservingH : WithoutOmega<K> {
-    using WithoutOmega<K>::WithoutOmega;
-    using Force = NonConservingForce;
-};
 
 /// The attraction of all particles by each other (Monaghan 2005, 6.15): a linear force towards their common
 /// centre, wherever that is.
@@ -104,6 +75,13 @@ struct MutualAttraction {
     }
 };
 
+using K = AnyKernel<1>;
+/// h as in WithoutOmega, with the force (3.5).
+struct NonConservingH : ConsistentH<K> {
+    using ConsistentH<K>::ConsistentH;
+    using Force = NonConservingForce;
+};
+
 double mean(const Column& m, const Column& value) {
     double sum = 0, mass = 0;
     for (std::size_t i = 0; i < m.size(); ++i) {
@@ -113,34 +91,46 @@ double mean(const Column& m, const Column& value) {
     return sum / mass;
 }
 
+/// A gas whose forces see their common centre: it must be known before they are computed.
+template <class Resolution>
+class Alone : public Gas<Resolution, Barotropic<Polytrope>, Free, MutualAttraction> {
+    using Base = Gas<Resolution, Barotropic<Polytrope>, Free, MutualAttraction>;
+
+  public:
+    Alone(const StarScene& scene, const Resolution& resolution)
+        : Base{scene.n, resolution, {scene.state()}, Free{}, scene.threads, MutualAttraction{1, &centre_}} {}
+    void rates(double t) override {
+        centre_ = mean(this->particles.m, this->particles.x[0]);
+        Base::rates(t);
+    }
+
+  private:
+    double centre_ = 0;
+};
+
 /// The centre of mass over time; returns the largest momentum over mass times amplitude.
 template <class Resolution>
 double follow_centre(const StarScene& scene, const Resolution& resolution, double amplitude, double time,
                      Column& t_out, Column& centre_out) {
-    using Alone = Gas<Resolution, Barotropic<Polytrope>, Free, MutualAttraction>;
-    double centre = 0, t = 0, largest = 0;
-    Alone gas{scene.n, resolution, {scene.state()}, Free{}, scene.threads, MutualAttraction{1, &centre}};
-    fill_star(gas.particles, scene, resolution);
+    Alone<Resolution> gas{scene, resolution};
+    fill_star(gas, scene);
     auto& p = gas.particles;
     for (std::size_t i = 0; i < scene.n; ++i)
         p.v[0][i] = amplitude * exact::toy_star_velocity(scene.gamma, 3, p.x[0][i]);
     const double drift = mean(p.m, p.v[0]);
     for (double& v : p.v[0]) v -= drift;
-    const auto rates = [&](double now) {
-        centre = mean(p.m, p.x[0]);
-        gas.rates(now);
-    };
-    rates(0);
-    const double dt = gas.time_step(0.3, [&](std::size_t i) { return p.m[i] / p.rho[i]; });
-    KickDriftKick<typename Alone::Motion> integrator{gas.counters()};
+    gas.rates(0);
+    const double dt = star_step(gas, scene, 0.3);
+    gas.limit_steps([dt] { return dt; });
     const auto steps = static_cast<long>(std::ceil(time / dt));
-    for (long k = 0; k < steps; ++k) {
-        integrator.step(p, t, dt, rates);
+    double t = 0, largest = 0;
+    long k = 0;
+    march(gas, t, {.steps = steps}, [&](double now) {
         largest = std::max(largest, std::abs(mean(p.m, p.v[0])) / amplitude);
-        if (k % std::max(1L, steps / 400) != 0) continue;
-        t_out.push_back(t);
+        if (k++ % std::max(1L, steps / 400) != 0) return;
+        t_out.push_back(now);
         centre_out.push_back(mean(p.m, p.x[0]));
-    }
+    });
     return largest;
 }
 
@@ -148,47 +138,48 @@ double follow_centre(const StarScene& scene, const Resolution& resolution, doubl
 
 EnergyHistory run_star_energy(const StarScene& scene, const std::string& name, double A_0, double courant,
                               long steps) {
-    Star gas = star_gas(scene, ConsistentH<K>{HRule{1.2}});
-    relax(gas);
-    auto& p = gas.particles;
-    const exact::ToyStar exact{scene.gamma, scene.state().K, 1, A_0, 1, 1};
-    const double period = exact.period();
-    const auto limit = [&] {
-        return gas.time_step(courant, [&](std::size_t i) { return p.m[i] / p.rho[i]; });
-    };
-    const double dt = limit();
-    for (std::size_t i = 0; i < scene.n; ++i) p.v[0][i] = A_0 * p.x[0][i];
-    const auto rates = [&](double t) { gas.rates(t); };
+    const auto gas = star_gas(scene, {"consistent-h", "cubic", 1.2});
+    relax(*gas);
+    const double period = scene.exact(A_0).period();
     EnergyHistory history;
-    if (name == "kick-drift-kick") {
-        history = with<KickDriftKick<Motion>>(gas, A_0, period, steps, dt);
-    } else if (name == "drift-kick-drift") {
-        history = with<DriftKickDrift<Motion>>(gas, A_0, period, steps, dt);
-    } else if (name == "RK4") {
-        history = with<RungeKutta4<Motion>>(gas, A_0, period, steps, dt);
-    } else if (name == "reversible steps") {
-        ReversibleSteps<Motion> integrator{gas.counters()};
-        double step = dt;
-        history = watch(gas, A_0, period, steps, [&](double& t) {
-            integrator.step(p, t, step, rates, limit);
-            gas.resolve(t);
-        });
-    } else if (name == "naive steps") {
-        KickDriftKick<Motion> integrator{gas.counters()};
-        history = watch(gas, A_0, period, steps, [&](double& t) { integrator.step(p, t, limit(), rates); });
-    } else {
-        throw std::invalid_argument{"no such integrator: " + name};
-    }
-    history.dt = dt;
+    history.dt = star_step(*gas, scene, courant);
+    history.steps = steps;
+    integrate_by_name(*gas, name, [&] { return star_step(*gas, scene, courant); });
+    for (std::size_t i = 0; i < scene.n; ++i) gas->get<Velocity>()[0][i] = A_0 * gas->get<Position>()[0][i];
+    gas->rates(0);
+    const Totals<1> start = gas->totals();
+    // Only kick-drift-kick leaves the density of the end, which the energy wants.
+    const bool resolved = name == "kick-drift-kick" || name == "naive steps";
+    MeanDrift drift{period};
+    double t = 0, low = 0, high = 0;
+    long k = 0;
+    march(*gas, t, {.steps = steps}, [&](double now) {
+        if (!resolved) gas->resolve(now);
+        const Totals<1> totals = gas->totals();
+        const double change = totals.energy / start.energy - 1;
+        drift.add(now, change);
+        if (now < period) {
+            low = std::min(low, change);
+            high = std::max(high, change);
+        }
+        history.momentum = std::max(history.momentum, std::abs(totals.momentum[0]) / (start.mass * A_0));
+        if (++k % std::max(1L, steps / 500) != 0) return;
+        history.t.push_back(now);
+        history.change.push_back(change);
+    });
+    history.amplitude = (high - low) / 2;
+    history.drift = drift.total();
     return history;
 }
 
 CentreRun run_centres(const StarScene& scene, double amplitude, double time) {
+    const K cubic{"cubic"};
     CentreRun run;
-    run.conserving_momentum = follow_centre(scene, ConsistentH<K>{HRule{1.2}}, amplitude, time,
+    run.conserving_momentum = follow_centre(scene, ConsistentH<K>{HRule{1.2}, 1e-12, cubic}, amplitude, time,
                                             run.conserving_t, run.conserving_centre);
-    run.momentum = follow_centre(scene, NonConservingH{HRule{1.2}}, amplitude, time, run.t, run.centre);
+    run.momentum =
+        follow_centre(scene, NonConservingH{HRule{1.2}, 1e-12, cubic}, amplitude, time, run.t, run.centre);
     return run;
 }
 
-}  // namespace sph
+}  // namespace sph::euler

@@ -1,10 +1,8 @@
 #pragma once
-#include <string>
-
 #include "chapters/03_euler_sph/scenes/star.hpp"
 
 /// The energy of a star that oscillates for long, by several integrators.
-namespace sph {
+namespace sph::euler {
 
 inline std::vector<std::string> star_integrators() {
     return {"kick-drift-kick", "drift-kick-drift", "reversible steps", "naive steps", "RK4"};
@@ -33,4 +31,4 @@ struct CentreRun {
 /// Started with the velocity of mode 3 and amplitude `amplitude`. Throws Unstable.
 CentreRun run_centres(const StarScene& scene, double amplitude, double time);
 
-}  // namespace sph
+}  // namespace sph::euler

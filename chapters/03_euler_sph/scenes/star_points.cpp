@@ -2,7 +2,7 @@
 
 #include "chapters/03_euler_sph/scenes/star.hpp"
 
-namespace sph {
+namespace sph::euler {
 namespace {
 
 /// Mass of the star between x = sin(a) and sin(b): the integral of cos^(2/(gamma-1) + 1), which is smooth in
@@ -59,4 +59,4 @@ StarPoints star_points(const StarScene& scene) {
     return points;
 }
 
-}  // namespace sph
+}  // namespace sph::euler

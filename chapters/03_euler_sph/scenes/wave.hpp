@@ -1,10 +1,11 @@
 #pragma once
 #include <numbers>
 
-#include "chapters/03_euler_sph/scenes/schemes.hpp"
+#include "chapters/03_euler_sph/scenes/methods.hpp"
+#include "common/report/chapter.hpp"
 
 /// A standing sound wave in a periodic line of gas with rho = 1, c_s = 1.
-namespace sph {
+namespace sph::euler {
 
 struct WaveScene {
     std::size_t n = 64;       ///< particles
@@ -14,6 +15,7 @@ struct WaveScene {
     double courant = 0.3;     ///< time step [spacing/c_s]
     int threads = 1;
     double density = 1;  ///< where the speed of sound is 1
+    std::function<void(double)> progress{};
 
     double spacing() const { return 1.0 / static_cast<double>(n); }
     double k() const { return 2 * std::numbers::pi * waves; }
@@ -22,23 +24,8 @@ struct WaveScene {
     double velocity(double x, double t) const { return amplitude * std::cos(k() * t) * std::sin(k() * x); }
 };
 
-template <class Resolution>
-using WaveGas = Gas<Resolution, Barotropic<Polytrope>, Box<1>>;
-
 /// The gas of a wave at t = 0: even particles, all their energy in motion.
-template <class Resolution>
-WaveGas<Resolution> wave_gas(const WaveScene& scene, const Resolution& resolution) {
-    WaveGas<Resolution> gas{scene.n, resolution, {scene.state()}, periodic_unit_box<1>(), scene.threads};
-    auto& p = gas.particles;
-    for (std::size_t i = 0; i < scene.n; ++i) {
-        p.x[0][i] = (static_cast<double>(i) + 0.5) * scene.spacing();
-        p.v[0][i] = scene.velocity(p.x[0][i], 0);
-        p.m[i] = scene.spacing();
-        p.rho[i] = 1;
-        if constexpr (requires { p.h[i]; }) p.h[i] = resolution.rule.sigma * scene.spacing();
-    }
-    return gas;
-}
+std::unique_ptr<LineGas> wave_gas(const WaveScene& scene, const GasMethod& method);
 
 /// What a run of a wave leaves.
 struct WaveRun {
@@ -48,14 +35,28 @@ struct WaveRun {
     Counters counters;
     Column t, error_at;  ///< the error over time
     Column x, v, exact;  ///< at the end
+
+    report::Quantities measured() const;
 };
 
 /// Runs one period by RK4, whose own error is far below. Throws Unstable, std::invalid_argument.
-WaveRun run_wave(const WaveScene& scene, const GasScheme& scheme);
+WaveRun run_wave(const WaveScene& scene, const GasMethod& method);
 
 /// omega^2 of the wave as it runs, for comparison with dispersion(): c_s = 1 at the density that the lattice
 /// has by summation, and h in spacings exact. The discrete wave is an eigenmode of even particles; its period
 /// is taken over `periods` periods of leapfrog, whose known shift of frequency is taken out.
-double measured_omega2(const WaveScene& scene, const GasScheme& scheme, int periods = 2);
+double measured_omega2(const WaveScene& scene, const GasMethod& method, int periods = 2);
 
-}  // namespace sph
+/// The scene `wave` of the reader's own.
+class WaveCommand {
+  public:
+    void declare(app::CommandLine& line);
+    void run(report::Run& run) const;
+
+  private:
+    MethodChoice choice_;
+    double gamma_ = 5.0 / 3;
+    long particles_ = 100;
+};
+
+}  // namespace sph::euler

@@ -1,49 +1,57 @@
-#include "chapters/04_artificial_viscosity/scenes/grid_tube.hpp"
-#include "chapters/04_artificial_viscosity/figures/figures.hpp"
 #include "common/exact/woodward_colella.hpp"
 
-namespace sph::shocks {
+#include "chapters/04_artificial_viscosity/scenes/grid_tube.hpp"
+#include "common/plot/looks.hpp"
+#include "common/report/comparison.hpp"
 
-void woodward_colella(report::Run& run) {
-    BlastWaves scene;
-    scene.n = run.quick() ? 100 : 400;
-    scene.threads = run.threads();
-    const auto n = static_cast<long>(scene.n);
-    plot::Figure figure{"woodward-colella", 1, 2};
-    plot::Panel& rho = figure.at(0, 0).labels("$x$", "ρ").x_range(0.5, 0.9);
-    plot::Panel& v = figure.at(0, 1).labels("$x$", "$v$").x_range(0.5, 0.9);
+namespace sph::shocks {
+namespace {
+
+void draw_reference(plot::Panel& rho, plot::Panel& v) {
     Column x, density, velocity;
     for (const auto& node : exact::WoodwardColella{}.nodes()) {
         x.push_back(node.x);
         density.push_back(node.rho);
         velocity.push_back(node.v);
     }
-    plot::Style reference = exact_line();
-    reference.label = "reference";
-    rho.curve(x, density, reference);
-    v.curve(x, velocity, reference);
-    report::Table table{{"method", "ρ %", "v %", "P %", "energy drift", "steps", "CPU ms"}};
-    const auto row = [&](const std::string& name, const std::string& label, const TubeRun& tube) {
-        run.result(name, n, "l1_rho", tube.l1_rho);
-        run.result(name, n, "l1_v", tube.l1_v);
-        run.result(name, n, "l1_p", tube.l1_p);
-        run.result(name, n, "cpu_seconds", tube.seconds, "s");
-        table.row({label, report::number(100 * tube.l1_rho, 2), report::number(100 * tube.l1_v, 2),
-                   report::number(100 * tube.l1_p, 2),
-                   tube.energy_drift < 1e-12 ? "rounding" : report::number(tube.energy_drift, 1),
-                   std::to_string(tube.counters.steps), report::timing(1e3 * tube.seconds)});
+    rho.curve(x, density, plot::exact("reference"));
+    v.curve(x, velocity, plot::exact("reference"));
+}
+
+}  // namespace
+
+void woodward_colella(report::Run& run) {
+    BlastWaves scene;
+    scene.n = run.quick() ? 100 : 400;
+    scene.threads = run.threads();
+    plot::Figure figure{"woodward-colella", 1, 2};
+    plot::Panel& rho = figure.at(0, 0).labels("$x$", "ρ").x_range(0.5, 0.9);
+    plot::Panel& v = figure.at(0, 1).labels("$x$", "$v$").x_range(0.5, 0.9);
+    draw_reference(rho, v);
+    using namespace report;
+    Comparison table{{"method"},
+                     {{"ρ %", "l1_rho", in_percent()},
+                      {"v %", "l1_v", in_percent()},
+                      {"P %", "l1_p", in_percent()},
+                      {"energy drift", "energy_drift", or_word(1e-12, "rounding", digits(1))},
+                      {"steps", "steps", digits(2)},
+                      {"CPU ms", "cpu_seconds", time_in(1e-3)}}};
+    const auto measured = [](const TubeRun& tube) {
+        return Quantities{{"l1_rho", tube.l1_rho},
+                          {"l1_v", tube.l1_v},
+                          {"l1_p", tube.l1_p},
+                          {"energy_drift", tube.energy_drift}} +
+               tube.costs();
     };
-    for (const std::string name : {"signal", "price", "narrow", "reconstructed"}) {
-        const Method& method = tube_method(name);
+    for (const Method<1>& method : tube_methods().named({"signal", "price", "narrow", "reconstructed"})) {
         const TubeRun tube = run_blast_waves(scene, method);
-        run.result(name, n, "energy_drift", tube.energy_drift);
-        row(name, method.label, tube);
-        if (name != "narrow" && name != "reconstructed") continue;
-        rho.points(tube.profile.x, tube.profile.rho, dots(style_of(name)));
-        v.points(tube.profile.x, tube.profile.v, dots(style_of(name)));
+        table.add(run, method.name, scene.n, {method.label}, measured(tube));
+        if (method.name != "narrow" && method.name != "reconstructed") continue;
+        rho.points(tube.profile.x, tube.profile.rho, plot::dots(method.styled()));
+        v.points(tube.profile.x, tube.profile.v, plot::dots(method.styled()));
     }
-    row("grid", "grid, Eulerian", run_grid_blast_waves(scene, exact::Frame::eulerian));
-    row("grid-lagrangian", "grid, Lagrangian", run_grid_blast_waves(scene, exact::Frame::lagrangian));
+    for (const Grid& grid : grids())
+        table.add(run, grid.name, scene.n, {grid.label}, measured(run_grid_blast_waves(scene, grid.frame)));
     rho.legend.shown = false;
     v.legend.outside = true;
     run.save(figure);

@@ -3,42 +3,38 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/app/clock.hpp"
 #include "common/exact/woodward_colella.hpp"
-#include "common/report/timer.hpp"
+#include "common/plot/looks.hpp"
 
-namespace sph {
+namespace sph::shocks {
 namespace {
 
-/// The cells' averages as a profile, and their widths.
-Column read(const exact::GasCells& cells, double gamma, Profile& profile) {
-    Column width;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const auto& state = cells.states[i];
-        profile.x.push_back(cells.centre(i));
-        profile.rho.push_back(state.rho);
-        profile.v.push_back(state.v);
-        profile.p.push_back(state.p);
-        profile.u.push_back(state.p / (state.rho * (gamma - 1)));
-        width.push_back(cells.width(i));
-    }
-    return width;
-}
-
+/// Runs the grid to its end: the cells' averages as a profile, their widths, and what it took.
 TubeRun advance(exact::FiniteVolume& grid, double time, double gamma, Column& width) {
     TubeRun run;
-    const double begin = report::thread_cpu_seconds();
-    grid.advance_to(time);
-    run.seconds = report::thread_cpu_seconds() - begin;
+    run.seconds = app::thread_cpu_seconds([&] { grid.advance_to(time); });
     run.counters.steps = grid.steps();
     run.counters.pairs = grid.cell_updates();
-    width = read(grid.cells(), gamma, run.profile);
+    const IdealGas gas{gamma};
+    const exact::GasCells cells = grid.cells();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const auto& state = cells.states[i];
+        run.whole.x.push_back(cells.centre(i));
+        run.whole.rho.push_back(state.rho);
+        run.whole.v.push_back(state.v);
+        run.whole.p.push_back(state.p);
+        run.whole.u.push_back(gas.energy(state.rho, state.p));
+        width.push_back(cells.width(i));
+    }
     return run;
 }
 
 }  // namespace
 
 TubeRun run_grid_tube(const TubeScene& scene, exact::Frame frame) {
-    const auto [begin, end] = tube_ends(scene);
+    const TubeProblem problem = gas_tube(scene);
+    const auto [begin, end] = problem.ends;
     const auto n = static_cast<double>(scene.n);
     const double m = 0.5 * (scene.left.rho + scene.right.rho) / n;
     const bool lagrangian = frame == exact::Frame::lagrangian;
@@ -60,17 +56,14 @@ TubeRun run_grid_tube(const TubeScene& scene, exact::Frame frame) {
     exact::FiniteVolume grid{cells, {.gamma = scene.gamma, .frame = frame}};
     Column width;
     TubeRun run = advance(grid, scene.time, scene.gamma, width);
-    compare(run, width, exact_tube(exact::Riemann{scene.left, scene.right, scene.gamma}, scene.time));
+    compare(run, width, problem.exact);
     return run;
 }
 
 TubeRun run_grid_blast_waves(const BlastWaves& scene, exact::Frame frame) {
     constexpr double gamma = exact::WoodwardColella::gamma;
     exact::GasCells cells = exact::uniform_cells(0, 1, scene.n, {1, 0, 0.01});
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (cells.centre(i) < 0.1) cells.states[i].p = 1000;
-        if (cells.centre(i) > 0.9) cells.states[i].p = 100;
-    }
+    for (std::size_t i = 0; i < cells.size(); ++i) cells.states[i].p = blast_waves_pressure(cells.centre(i));
     exact::FiniteVolume grid{
         cells,
         {.gamma = gamma, .frame = frame, .left = exact::End::reflecting, .right = exact::End::reflecting}};
@@ -80,9 +73,9 @@ TubeRun run_grid_blast_waves(const BlastWaves& scene, exact::Frame frame) {
     return run;
 }
 
-double grid_standing_wave_error(std::size_t n, exact::Frame frame) {
+GridWave grid_standing_wave(std::size_t n, exact::Frame frame) {
     constexpr double gamma = 1.4, amplitude = 1e-6;
-    const double k = 2 * std::numbers::pi;
+    const double begin = app::thread_cpu_seconds(), k = 2 * std::numbers::pi;
     exact::GasCells cells = exact::uniform_cells(0, 1, n, {1, 0, 1 / gamma});
     for (std::size_t i = 0; i < n; ++i) cells.states[i].v = amplitude * std::sin(k * cells.centre(i));
     exact::FiniteVolume grid{
@@ -101,7 +94,17 @@ double grid_standing_wave_error(std::size_t n, exact::Frame frame) {
         }
         worst = std::max(worst, error / size);
     }
-    return worst;
+    return {worst, app::thread_cpu_seconds() - begin};
 }
 
-}  // namespace sph
+const std::vector<Grid>& grids() {
+    static const std::vector<Grid> all{
+        {"grid", "grid, Eulerian", exact::Frame::eulerian, plot::competitor("grid, Eulerian")},
+        {"grid-lagrangian",
+         "grid, Lagrangian",
+         exact::Frame::lagrangian,
+         {.label = "grid, Lagrangian", .colour = plot::Colour{0.5, 0.5, 0.5}, .marker = plot::Marker::plus}}};
+    return all;
+}
+
+}  // namespace sph::shocks

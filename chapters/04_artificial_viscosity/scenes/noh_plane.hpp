@@ -1,10 +1,11 @@
 #pragma once
+#include "chapters/04_artificial_viscosity/scenes/methods.hpp"
 #include "chapters/04_artificial_viscosity/scenes/plane_lattice.hpp"
-#include "chapters/04_artificial_viscosity/scenes/plane_methods.hpp"
+#include "common/report/chapter.hpp"
 
 /// Noh's problem in the plane: cold gas of density 1 rushes to the origin with speed 1, and a shock stops it
 /// that runs outwards with (gamma - 1)/2.
-namespace sph {
+namespace sph::shocks {
 
 struct NohScene {
     double gamma = 5.0 / 3, time = 0.6;
@@ -28,14 +29,16 @@ struct NohRun {
     double energy_drift = 0;      ///< relative
     double momentum_drift = 0;    ///< relative to sum m |v| at the start; 0 between mirrors, which push
     Counters counters;
-    double seconds = 0;  ///< CPU time of this thread
+    double seconds = 0;  ///< CPU time of the steps
+
+    report::Quantities measured() const;  ///< without the drifts, which grids have not measured
 };
 
 /// Throws Unstable where the run leaves physics, and std::invalid_argument for scenes that are none.
-NohRun run_noh(const NohScene& scene, const Method& method);
+NohRun run_noh(const NohScene& scene, const Method<2>& method);
 
 /// The same by finite volumes: n times n cells of the square (0, radius - time)^2, mirrors on two sides, the
 /// exact state flowing in on the others. `x` are centres, `m` the cells' masses.
 NohRun run_noh_grid(const NohScene& scene, std::size_t n);
 
-}  // namespace sph
+}  // namespace sph::shocks

@@ -1,8 +1,9 @@
 #include "chapters/04_artificial_viscosity/scenes/plane_lattice.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
-namespace sph {
+namespace sph::shocks {
 
 Placed make_lattice(Lattice lattice, const Vector<2>& low, const Vector<2>& high, double per_unit) {
     const double width = high[0] - low[0], height = high[1] - low[1];
@@ -21,6 +22,25 @@ Placed make_lattice(Lattice lattice, const Vector<2>& low, const Vector<2>& high
         }
     }
     return placed;
+}
+
+void require_lattice(Lattice lattice, bool quarter) {
+    if (quarter && lattice != Lattice::square)
+        throw std::invalid_argument{"only the square lattice is its own mirror image"};
+}
+
+GridColumns columns_of(const exact::GasGrid& grid) {
+    GridColumns columns;
+    for (std::size_t j = 0; j < grid.ny; ++j) {
+        for (std::size_t i = 0; i < grid.nx; ++i) {
+            const exact::GasState2D& cell = grid.at(i, j);
+            columns.x[0].push_back(grid.x(i)), columns.x[1].push_back(grid.y(j));
+            columns.v[0].push_back(cell.vx), columns.v[1].push_back(cell.vy);
+            columns.m.push_back(cell.rho * grid.dx() * grid.dy());
+            columns.rho.push_back(cell.rho), columns.p.push_back(cell.p);
+        }
+    }
+    return columns;
 }
 
 Column radii(const Columns<2>& x) {
@@ -57,4 +77,4 @@ Rings ring_means(const Column& r, const Column& f, const Column& w, double dr, d
     return rings;
 }
 
-}  // namespace sph
+}  // namespace sph::shocks

@@ -1,8 +1,9 @@
 #pragma once
 #include "common/core/vec.hpp"
+#include "common/exact/finite_volume_2d.hpp"
 
 /// Where the particles of a plane begin, and how a field of particles is seen from the origin.
-namespace sph {
+namespace sph::shocks {
 
 enum class Lattice { square, hexagonal };
 
@@ -14,6 +15,16 @@ struct Placed {
 /// `per_unit` in a length of 1. The square lattice is symmetric in mirrors at the faces, the hexagonal one is
 /// not. per_unit > 0.
 Placed make_lattice(Lattice lattice, const Vector<2>& low, const Vector<2>& high, double per_unit);
+
+/// Throws std::invalid_argument for a quarter of the plane with a lattice that is not its own mirror image.
+void require_lattice(Lattice lattice, bool quarter);
+
+/// The cells of a grid as if they were particles: their centres, velocities, masses, densities, pressures.
+struct GridColumns {
+    Columns<2> x, v;
+    Column m, rho, p;
+};
+GridColumns columns_of(const exact::GasGrid& grid);
 
 /// Each particle's distance from the origin, and the component of v away from it.
 Column radii(const Columns<2>& x);
@@ -27,4 +38,4 @@ struct Rings {
 /// particles are left out.
 Rings ring_means(const Column& r, const Column& f, const Column& w, double dr, double r_end);
 
-}  // namespace sph
+}  // namespace sph::shocks

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "chapters/01_kernel_interpolation/splines.hpp"
-#include "common/core/unstable.hpp"
-#include "common/exact/finite_volume_2d.hpp"
+#include "common/app/clock.hpp"
 #include "common/exact/sedov.hpp"
-#include "common/report/timer.hpp"
 
-namespace sph {
+namespace sph::shocks {
 namespace {
 
 constexpr double side = 0.5;
@@ -21,30 +18,38 @@ double end_time(const SedovScene& scene) {
     return std::sqrt(blast.alpha()) * scene.radius * scene.radius;
 }
 
-/// The energy by mass at each of the points: that of the cold gas, and the blast's, whose sum over all points
-/// with the mass m is `total`.
-Column energies(const SedovScene& scene, const Column& r, double spacing, double total) {
+/// The pressure at each of the points: that of the cold gas, and of the blast, whose energy summed over all
+/// points of the mass m is `total`.
+Column pressures(const SedovScene& scene, const Column& r, double spacing, double total) {
+    const IdealGas state{scene.gamma};
     const double width = scene.blast_width * spacing, m = spacing * spacing;
-    Column u;
+    Column shape;
     double sum = 0;
     for (const double distance : r) {
-        u.push_back(CubicSpline<2>::W(distance, width));
-        sum += m * u.back();
+        shape.push_back(CubicSpline<2>::W(distance, width));
+        sum += m * shape.back();
     }
-    for (double& value : u) value = value * total / sum + scene.pressure / (scene.gamma - 1);
-    return u;
+    Column p;
+    for (const double W : shape) p.push_back(scene.pressure + state.pressure(1, W * total / sum));
+    return p;
 }
 
-std::unique_ptr<Model<2>> make_blast(const SedovScene& scene, const Method& method) {
+std::unique_ptr<Simulation<2>> make_blast(const SedovScene& scene, const Method<2>& method) {
     const double begin = scene.quarter ? 0 : -side;
     const Placed placed =
         make_lattice(scene.lattice, {begin, begin}, {side, side}, static_cast<double>(scene.n) / side);
     const std::size_t n = placed.x[0].size();
-    const Box<2> box{{begin, begin}, {side, side}, scene.quarter ? Face::mirror : Face::periodic};
-    auto gas = make_model(method, n, scene.gamma, box, scene.threads);
-    const Column u = energies(scene, radii(placed.x), placed.spacing, scene.quarter ? 0.25 : 1);
+    auto gas = method.make(
+        {.n = n,
+         .state = IdealGas{scene.gamma},
+         .box = Box<2>{{begin, begin}, {side, side}, scene.quarter ? Face::mirror : Face::periodic},
+         .courant = scene.courant,
+         .threads = scene.threads});
+    const Column p = pressures(scene, radii(placed.x), placed.spacing, scene.quarter ? 0.25 : 1);
     for (std::size_t i = 0; i < n; ++i)
-        gas->set(i, {placed.x[0][i], placed.x[1][i]}, {}, placed.spacing * placed.spacing, 1, u[i]);
+        gas->place(i, {placed.x[0][i], placed.x[1][i]}, {}, placed.spacing * placed.spacing, 1, p[i]);
+    gas->start(0);
+    gas->resolve(0);
     return gas;
 }
 
@@ -77,60 +82,54 @@ void measure(SedovRun& run, const SedovScene& scene) {
 
 }  // namespace
 
-SedovRun run_sedov(const SedovScene& scene, const Method& method) {
-    if (scene.quarter && scene.lattice != Lattice::square)
-        throw std::invalid_argument{"only the square lattice is its own mirror image"};
-    const double begin = report::thread_cpu_seconds();
+SedovRun run_sedov(const SedovScene& scene, const Method<2>& method) {
+    require_lattice(scene.lattice, scene.quarter);
     const auto gas = make_blast(scene, method);
-    gas->resolve(0);
-    const double energy = gas->energy();
+    Drifts drifts{*gas};
     SedovRun run;
     run.time = end_time(scene);
     double t = 0, size = 0;
-    gas->advance(t, run.time, scene.courant,
-                 [&](double now) { require_fewer_steps(*gas, scene.most_steps, now); });
-    run.seconds = report::thread_cpu_seconds() - begin;
-    run.x = gas->x(), run.m = gas->m(), run.rho = gas->rho(), run.p = gas->p();
-    run.r = radii(run.x), run.v_r = radial(run.x, gas->v());
+    run.seconds = march(*gas, t, {.end = run.time, .most_steps = scene.most_steps}).seconds;
+    gas->resolve(t);
+    drifts.look();
+    run.x = gas->get<Position>();
+    run.m = gas->get<Mass>(), run.rho = gas->get<Density>(), run.p = gas->get<Pressure>();
+    run.r = radii(run.x), run.v_r = radial(run.x, gas->get<Velocity>());
     for (std::size_t i = 0; i < run.m.size(); ++i) size += run.m[i] * std::abs(run.v_r[i]);
-    run.energy_drift = std::abs(gas->energy() / energy - 1);
-    if (!scene.quarter) {
-        for (const double component : gas->momentum())
-            run.momentum_drift = std::max(run.momentum_drift, std::abs(component) / size);
-    }
+    run.energy_drift = drifts.energy() / drifts.first().energy;
+    if (!scene.quarter) run.momentum_drift = drifts.momentum() / size;
     run.counters = gas->counters();
     measure(run, scene);
     return run;
 }
 
 SedovRun run_sedov_grid(const SedovScene& scene) {
-    const double begin = report::thread_cpu_seconds();
     exact::GasGrid grid{0, side, 0, side, scene.n, scene.n, {}};
     grid.fill([](double, double) { return exact::GasState2D{1, 0, 0, 1}; });
-    Columns<2> x;
-    for (std::size_t j = 0; j < scene.n; ++j) {
-        for (std::size_t i = 0; i < scene.n; ++i) x[0].push_back(grid.x(i)), x[1].push_back(grid.y(j));
-    }
-    const Column u = energies(scene, radii(x), grid.dx(), 0.25);
-    for (std::size_t i = 0; i < u.size(); ++i) grid.states[i].p = (scene.gamma - 1) * u[i];
+    const Column p = pressures(scene, radii(columns_of(grid).x), grid.dx(), 0.25);
+    for (std::size_t i = 0; i < p.size(); ++i) grid.states[i].p = p[i];
     const auto wall = exact::End::reflecting;
     exact::FiniteVolume2D solver{
         grid, {.gamma = scene.gamma, .left = wall, .right = wall, .bottom = wall, .top = wall}};
     SedovRun run;
     run.time = end_time(scene);
-    solver.advance_to(run.time);
-    run.seconds = report::thread_cpu_seconds() - begin;
-    Columns<2> v;
-    for (const exact::GasState2D& cell : solver.cells().states) {
-        run.rho.push_back(cell.rho), run.p.push_back(cell.p);
-        run.m.push_back(cell.rho * grid.dx() * grid.dy());
-        v[0].push_back(cell.vx), v[1].push_back(cell.vy);
-    }
-    run.x = x;
-    run.r = radii(x), run.v_r = radial(x, v);
+    run.seconds = app::thread_cpu_seconds([&] { solver.advance_to(run.time); });
     run.counters.steps = solver.steps();
+    const GridColumns columns = columns_of(solver.cells());
+    run.x = columns.x, run.m = columns.m, run.rho = columns.rho, run.p = columns.p;
+    run.r = radii(run.x), run.v_r = radial(run.x, columns.v);
     measure(run, scene);
     return run;
 }
 
-}  // namespace sph
+report::Quantities SedovRun::measured() const {
+    return {{"l1_rho", l1_rho},
+            {"l1_v", l1_v},
+            {"l1_p", l1_p},
+            {"shock_radius", shock_radius},
+            {"peak", peak},
+            {"steps", static_cast<double>(counters.steps)},
+            {"cpu_seconds", seconds, "s"}};
+}
+
+}  // namespace sph::shocks

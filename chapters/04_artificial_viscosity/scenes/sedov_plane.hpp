@@ -1,9 +1,10 @@
 #pragma once
+#include "chapters/04_artificial_viscosity/scenes/methods.hpp"
 #include "chapters/04_artificial_viscosity/scenes/plane_lattice.hpp"
-#include "chapters/04_artificial_viscosity/scenes/plane_methods.hpp"
+#include "common/report/chapter.hpp"
 
 /// Sedov's blast in the plane: the energy 1 at the origin of a cold gas of density 1, spread over a kernel.
-namespace sph {
+namespace sph::shocks {
 
 struct SedovScene {
     double gamma = 5.0 / 3;
@@ -12,8 +13,7 @@ struct SedovScene {
     double blast_width = 4;  ///< smoothing length of the cubic spline that spreads the energy, in spacings
     std::size_t n = 60;      ///< spacings in the length 0.5
     Lattice lattice = Lattice::square;
-    bool quarter =
-        true;  ///< the quarter 0..0.5 between mirrors (square lattice only), or all in a periodic box
+    bool quarter = true;  ///< 0..0.5 between mirrors (square lattice only), or all in a periodic box
     double courant = 0.3;
     long most_steps = 4000;  ///< more, and the run stops: steps that collapse would never end
     int threads = 1;
@@ -29,13 +29,15 @@ struct SedovRun {
     double energy_drift = 0;    ///< relative
     double momentum_drift = 0;  ///< relative to sum m |v| at the end; 0 between mirrors, which push
     Counters counters;
-    double seconds = 0;  ///< CPU time of this thread
+    double seconds = 0;  ///< CPU time of the steps
+
+    report::Quantities measured() const;  ///< without the drifts, which grids have not measured
 };
 
 /// Throws Unstable where the run leaves physics, and std::invalid_argument for scenes that are none.
-SedovRun run_sedov(const SedovScene& scene, const Method& method);
+SedovRun run_sedov(const SedovScene& scene, const Method<2>& method);
 
 /// The same by finite volumes, on n times n cells of the quarter, from the same energies.
 SedovRun run_sedov_grid(const SedovScene& scene);
 
-}  // namespace sph
+}  // namespace sph::shocks

@@ -3,11 +3,9 @@
 #include <cmath>
 
 #include "chapters/01_kernel_interpolation/kernel.hpp"
-#include "common/core/unstable.hpp"
-#include "common/exact/finite_volume_2d.hpp"
-#include "common/report/timer.hpp"
+#include "common/app/clock.hpp"
 
-namespace sph {
+namespace sph::shocks {
 namespace {
 
 constexpr double k = 2 * pi;
@@ -34,48 +32,70 @@ void fit(ShearRun& run) {
     run.first_viscosity = fitted_viscosity(run, 1 + samples / 10);
 }
 
+Box<2> box() {
+    return {{0, 0}, {1, 1}, Face::periodic};
+}
+
+std::unique_ptr<Simulation<2>> make_wave(const ShearScene& scene, const Method<2>& method,
+                                         const Placed& placed) {
+    const std::size_t n = placed.x[0].size();
+    auto gas = with_viscosity(method, scene.nu)
+                   .make({.n = n,
+                          .state = IdealGas{scene.gamma},
+                          .box = box(),
+                          .courant = scene.courant,
+                          .threads = scene.threads});
+    for (std::size_t i = 0; i < n; ++i)
+        gas->place(i, {placed.x[0][i], placed.x[1][i]}, {scene.speed * std::sin(k * placed.x[1][i]), 0},
+                   square(placed.spacing), 1, 1 / scene.gamma);  // c_s = 1
+    gas->start(0);
+    gas->resolve(0);
+    return gas;
+}
+
 }  // namespace
 
-ShearRun run_shear(const ShearScene& scene, const Method& method) {
-    const double begin = report::thread_cpu_seconds(), V = scene.speed;
+Method<2> with_viscosity(Method<2> method, double nu) {
+    if (method.parameters.has("nu")) method.parameters.set("nu", nu);
+    return method;
+}
+
+ShearRun run_shear(const ShearScene& scene, const Method<2>& method) {
+    const double V = scene.speed;
     const Placed placed = make_lattice(scene.lattice, {0, 0}, {1, 1}, static_cast<double>(scene.n));
-    const std::size_t n = placed.x[0].size();
-    const double m = placed.spacing * placed.spacing, u = 1 / (scene.gamma * (scene.gamma - 1));  // c_s = 1
-    const Box<2> box{{0, 0}, {1, 1}, Face::periodic};
-    const auto gas = make_model(method, n, scene.gamma, box, scene.threads, scene.nu);
-    for (std::size_t i = 0; i < n; ++i)
-        gas->set(i, {placed.x[0][i], placed.x[1][i]}, {V * std::sin(k * placed.x[1][i]), 0}, m, 1, u);
-    gas->resolve(0);
+    const auto gas = make_wave(scene, method, placed);
+    const Columns<2>&x = gas->get<Position>(), &v = gas->get<Velocity>();
     ShearRun run;
     run.h = method.h_over_dx * placed.spacing;
-    const double energy = gas->energy();
-    const Vector<2> momentum = gas->momentum();
+    Drifts drifts{*gas};
     double t = 0, size = 0, squares = 0;
-    for (const double v : gas->v()[0]) size += m * std::abs(v);
+    for (const double v_x : v[0]) size += square(placed.spacing) * std::abs(v_x);
     for (int s = 0; s <= samples; ++s) {
-        if (s > 0) gas->advance(t, scene.time * s / samples, scene.courant);
+        if (s > 0) {
+            run.seconds += march(*gas, t, {.end = scene.time * s / samples}).seconds;
+            gas->resolve(t);
+        }
         run.t.push_back(t);
-        run.amplitude.push_back(amplitude(gas->x()[1], gas->v()[0], V));
-        const Vector<2> change = gas->momentum() - momentum;
-        run.momentum_drift = std::max(run.momentum_drift, std::hypot(change[0], change[1]) / size);
-        run.energy_drift = std::max(run.energy_drift, std::abs(gas->energy() - energy) / (V * V / 4));
+        run.amplitude.push_back(amplitude(x[1], v[0], V));
+        drifts.look();
     }
-    for (const double v : gas->v()[1]) squares += v * v / static_cast<double>(n);
+    run.momentum_drift = drifts.momentum() / size;
+    run.energy_drift = drifts.energy() / (V * V / 4);
+    for (const double v_y : v[1]) squares += v_y * v_y / static_cast<double>(v[1].size());
     run.noise = std::sqrt(squares) / V;
-    run.x = gas->x(), run.v_x = gas->v()[0];
-    for (std::size_t i = 0; i < n; ++i) {
-        Vector<2> x{run.x[0][i], run.x[1][i]};
-        box.wrap(x);
-        run.x[0][i] = x[0], run.x[1][i] = x[1];
+    run.x = x, run.v_x = v[0];
+    for (std::size_t i = 0; i < run.v_x.size(); ++i) {
+        Vector<2> inside{x[0][i], x[1][i]};
+        box().wrap(inside);
+        run.x[0][i] = inside[0], run.x[1][i] = inside[1];
     }
     run.counters = gas->counters();
-    run.seconds = report::thread_cpu_seconds() - begin;
     fit(run);
     return run;
 }
 
 ShearRun run_shear_grid(const ShearScene& scene) {
-    const double begin = report::thread_cpu_seconds(), V = scene.speed;
+    const double V = scene.speed;
     exact::GasGrid grid{0, 1, 0, 1, scene.n, scene.n, {}};
     grid.fill([&](double, double y) {
         return exact::GasState2D{1, V * std::sin(k * y), 0, 1 / scene.gamma};
@@ -89,21 +109,25 @@ ShearRun run_shear_grid(const ShearScene& scene) {
                                   .top = round,
                                   .viscosity = scene.nu}};
     ShearRun run;
+    run.h = grid.dx();
     for (int s = 0; s <= samples; ++s) {
-        solver.advance_to(scene.time * s / samples);
+        run.seconds += app::thread_cpu_seconds([&] { solver.advance_to(scene.time * s / samples); });
         run.t.push_back(solver.time());
-        Column y, v_x;
-        const exact::GasGrid cells = solver.cells();
-        for (std::size_t j = 0; j < scene.n; ++j) {
-            y.push_back(cells.y(j));
-            v_x.push_back(cells.at(0, j).vx);  // the same in each column
-        }
-        run.amplitude.push_back(amplitude(y, v_x, V));
+        const GridColumns columns = columns_of(solver.cells());
+        run.amplitude.push_back(amplitude(columns.x[1], columns.v[0], V));
     }
     run.counters.steps = solver.steps();
-    run.seconds = report::thread_cpu_seconds() - begin;
     fit(run);
     return run;
 }
 
-}  // namespace sph
+report::Quantities ShearRun::measured() const {
+    return {{"viscosity", viscosity / h, "c_s h"},
+            {"first_viscosity", first_viscosity / h, "c_s h"},
+            {"noise", noise, "V"},
+            {"momentum_drift", momentum_drift},
+            {"energy_drift", energy_drift},
+            {"cpu_seconds", seconds, "s"}};
+}
+
+}  // namespace sph::shocks

@@ -1,9 +1,9 @@
 #pragma once
-#include "chapters/04_artificial_viscosity/scenes/model.hpp"
+#include "chapters/04_artificial_viscosity/scenes/methods.hpp"
 
 /// A standing sound wave in a periodic box of length 1, rho = 1, c_s = 1, gamma = 1.4: what a dissipation
 /// costs where there is no shock.
-namespace sph {
+namespace sph::shocks {
 
 struct StandingWave {
     std::size_t n = 64;
@@ -19,6 +19,6 @@ struct StandingWaveRun {
 };
 
 /// One period. Throws Unstable.
-StandingWaveRun run_standing_wave(const StandingWave& scene, const Method& method);
+StandingWaveRun run_standing_wave(const StandingWave& scene, const Method<1>& method);
 
-}  // namespace sph
+}  // namespace sph::shocks

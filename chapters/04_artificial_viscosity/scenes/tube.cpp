@@ -7,43 +7,44 @@
 #include "chapters/04_artificial_viscosity/scenes/tube_lattice.hpp"
 #include "common/core/unstable.hpp"
 #include "common/report/norms.hpp"
-#include "common/report/timer.hpp"
 
-namespace sph {
+namespace sph::shocks {
 namespace {
 
 using State = exact::Riemann::State;
 
-double sound_speed(const State& state, double gamma) {
-    return std::sqrt(gamma * state.p / state.rho);
-}
-
-/// The speed at which the outermost wave runs into the state, away from the middle.
-double wave_speed(const State& state, double p_star, double gamma) {
-    const double c_s = sound_speed(state, gamma), ratio = p_star / state.p;
-    return ratio > 1 ? c_s * std::sqrt((gamma + 1) / (2 * gamma) * ratio + (gamma - 1) / (2 * gamma)) : c_s;
-}
-
-/// How far one side must reach, side = -1 or +1.
-double reach(const TubeScene& scene, const State& state, double side, double p_star) {
-    if (state.rho == 0) return 0;
-    const double run = scene.time * side * state.v;  // how far the end itself goes outwards
-    return std::max({0.5, 0.5 - run, scene.time * wave_speed(state, p_star, scene.gamma)});
-}
-
-std::unique_ptr<Model<1>> make_tube(const TubeScene& scene, const Method& method) {
+std::unique_ptr<Simulation<1>> fill(const TubeScene& scene, const Method<1>& method,
+                                    const TubeProblem& problem, const TubeLattice& lattice) {
     const std::array sides{scene.left, scene.right};
-    const TubeLattice lattice =
-        lay_tube({scene.left.rho, scene.right.rho}, tube_ends(scene), scene.n, scene.jitter, scene.seed);
-    auto gas =
-        make_model(method, lattice.x.size(), scene.gamma, Box<1>{{-1}, {1}, Face::free}, scene.threads);
+    auto gas = method.make({.n = lattice.x.size(),
+                            .state = problem.state,
+                            .box = Box<1>{{-1}, {1}, Face::free},
+                            .courant = scene.courant,
+                            .threads = scene.threads});
     for (std::size_t i = 0; i < lattice.x.size(); ++i) {
         const State& state = sides[lattice.side[i]];
-        gas->set(i, {lattice.x[i]}, {state.v}, lattice.m, state.rho,
-                 state.p / (state.rho * (scene.gamma - 1)));
+        gas->place(i, {lattice.x[i]}, {state.v}, lattice.m, state.rho, state.p);
     }
-    gas->fix_from(lattice.moving);
+    for (const Group& layer : lattice.layers) gas->groups().hold(layer.name, layer.begin, layer.end);
+    gas->start(0);
+    gas->resolve(0);
     return gas;
+}
+
+/// sum m (|v| + c_s) at the start.
+double momentum_scale(const TubeProblem& problem, const TubeLattice& lattice) {
+    double scale = 0;
+    for (const std::size_t side : lattice.side) scale += lattice.m * problem.momentum[side];
+    return scale;
+}
+
+/// The first n particles: those that are free.
+Profile profile_of(const Simulation<1>& gas, std::size_t n) {
+    const auto part = [n](const Column& c) {
+        return Column(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(n));
+    };
+    return {part(gas.get<Position>()[0]), part(gas.get<Density>()), part(gas.get<Velocity>()[0]),
+            part(gas.get<Pressure>()), part(gas.get<ThermalEnergy>())};
 }
 
 void append(Profile& profile, double x, const exact::Riemann::Point& at) {
@@ -54,7 +55,13 @@ void append(Profile& profile, double x, const exact::Riemann::Point& at) {
     profile.u.push_back(at.u);
 }
 
-void require_sound(const TubeScene& scene) {
+double largest(const Column& c) {
+    return *std::max_element(c.begin(), c.end());
+}
+
+}  // namespace
+
+void require_tube(const TubeScene& scene) {
     for (const State* state : {&scene.left, &scene.right}) {
         if (state->rho > 0 && !(state->p > 0))
             throw std::invalid_argument{"a gas without pressure has no time step; allowed: p above 0"};
@@ -63,13 +70,80 @@ void require_sound(const TubeScene& scene) {
     if (!(scene.time > 0)) throw std::invalid_argument{"time must be above 0"};
 }
 
-}  // namespace
+double tube_end(const TubeScene& scene, const State& state, double side, double head, double reserve) {
+    if (state.rho == 0) return 0;
+    const double run = scene.time * side * state.v;  // how far the end itself goes outwards
+    return side * std::max({0.5, 0.5 - run, reserve * (scene.time * side * head - run)});
+}
 
-void require_order(const Column& x, std::size_t n, double t) {
-    for (std::size_t i = 0; i + 1 < n; ++i) {
-        const double gap = x[i + 1] - x[i];
-        if (!(gap > 0)) throw Unstable{t, i, "the distance to the next particle", gap};
+TubeProblem gas_tube(const TubeScene& scene) {
+    require_tube(scene);
+    const exact::Riemann solution{scene.left, scene.right, scene.gamma};
+    const ThermalState state{IdealGas{scene.gamma}};
+    const auto momentum = [&](const State& s) {
+        return s.rho > 0 ? std::abs(s.v) + state.sound_speed(s.rho, state.energy(s.rho, s.p)) : 0;
+    };
+    return {state,
+            {scene.left.rho, scene.right.rho},
+            {tube_end(scene, scene.left, -1, solution.waves().left.head, 1),
+             tube_end(scene, scene.right, 1, solution.waves().right.head, 1)},
+            {momentum(scene.left), momentum(scene.right)},
+            exact_tube(solution, scene.time)};
+}
+
+TubeRun run_tube(const TubeScene& scene, const Method<1>& method) {
+    return run_tube(scene, method, gas_tube(scene));
+}
+
+TubeRun run_tube(const TubeScene& scene, const Method<1>& method, const TubeProblem& problem) {
+    const TubeLattice lattice = lay_tube(problem.density, problem.ends, scene.n, scene.jitter, scene.seed);
+    const auto gas = fill(scene, method, problem, lattice);
+    const Totals<1> before = gas->totals();
+    const Column& x = gas->get<Position>()[0];
+    const StepControl control{.end = scene.time, .most_steps = scene.most_steps, .progress = scene.progress};
+    double t = 0;
+    TubeRun run;
+    run.seconds = march(*gas, t, control, [&](double now) {
+                      require_order({x.data(), lattice.free}, now);
+                  }).seconds;
+    gas->resolve(t);
+    const Totals<1> after = gas->totals();
+    run.energy_drift = std::abs(after.energy / before.energy - 1);
+    run.momentum_drift = std::abs(after.momentum[0] - before.momentum[0]) / momentum_scale(problem, lattice);
+    run.counters = gas->counters();
+    run.whole = profile_of(*gas, lattice.free);
+    compare(run, spacings(run.whole.x), problem.exact);
+    return run;
+}
+
+report::Quantities TubeRun::errors() const {
+    return {{"l1_rho", l1_rho},           {"l1_v", l1_v},      {"l1_p", l1_p}, {"l1_u", l1_u},
+            {"overshoot_rho", overshoot}, {"wiggle_p", wiggle}};
+}
+report::Quantities TubeRun::drifts() const {
+    return {{"energy_drift", energy_drift}, {"momentum_drift", momentum_drift}};
+}
+report::Quantities TubeRun::costs() const {
+    return {{"steps", static_cast<double>(counters.steps)}, {"cpu_seconds", seconds, "s"}};
+}
+
+Profile exact_profile(const TubeScene& scene, double low, double high) {
+    return exact_profile(exact_tube(exact::Riemann{scene.left, scene.right, scene.gamma}, scene.time), low,
+                         high);
+}
+
+Profile exact_profile(const ExactTube& solution, double low, double high) {
+    constexpr int points = 201;
+    Column places;
+    for (int k = 0; k < points; ++k) places.push_back(low + (high - low) * k / (points - 1));
+    const double beside = 1e-9 * (high - low);
+    for (const double jump : solution.jumps) {
+        if (jump > low && jump < high) places.insert(places.end(), {jump - beside, jump + beside});
     }
+    std::sort(places.begin(), places.end());
+    Profile profile;
+    for (const double x : places) append(profile, x, solution.at(x));
+    return profile;
 }
 
 Column spacings(const Column& x) {
@@ -81,64 +155,15 @@ Column spacings(const Column& x) {
     return dx;
 }
 
-TubeRun run_tube(const TubeScene& scene, const Method& method) {
-    require_sound(scene);
-    const exact::Riemann solution{scene.left, scene.right, scene.gamma};
-    const auto gas = make_tube(scene, method);
-    gas->resolve(0);
-    const double energy = gas->energy(), momentum = gas->momentum()[0];
-    double scale = 0;
-    for (std::size_t i = 0; i < gas->size(); ++i)
-        scale += gas->m()[i] *
-                 (std::abs(gas->v()[0][i]) + std::sqrt(scene.gamma * (scene.gamma - 1) * gas->u()[i]));
-    double t = 0;
-    const double begin = report::thread_cpu_seconds();
-    gas->advance(t, scene.time, scene.courant, [&](double now) {
-        require_order(gas->x()[0], gas->moving(), now);
-        require_fewer_steps(*gas, scene.most_steps, now);
-    });
-    TubeRun run;
-    run.seconds = report::thread_cpu_seconds() - begin;
-    run.energy_drift = std::abs(gas->energy() / energy - 1);
-    run.momentum_drift = std::abs(gas->momentum()[0] - momentum) / scale;
-    run.counters = gas->counters();
-    const auto moving = static_cast<std::ptrdiff_t>(gas->moving());
-    const auto part = [moving](const Column& c) { return Column(c.begin(), c.begin() + moving); };
-    run.profile = {part(gas->x()[0]), part(gas->rho()), part(gas->v()[0]), part(gas->p()), part(gas->u())};
-    compare(run, spacings(run.profile.x), exact_tube(solution, scene.time));
-    return run;
-}
-
-Profile exact_profile(const TubeScene& scene, double low, double high) {
-    return exact_profile(exact_tube(exact::Riemann{scene.left, scene.right, scene.gamma}, scene.time), low,
-                         high);
-}
-
-Profile exact_profile(const ExactTube& solution, double low, double high) {
-    constexpr int points = 1001;
-    Profile profile;
-    for (int k = 0; k < points; ++k) {
-        const double x = low + (high - low) * k / (points - 1);
-        append(profile, x, solution.at(x));
-    }
-    return profile;
-}
-
-std::array<double, 2> tube_ends(const TubeScene& scene) {
-    const double p_star = exact::Riemann{scene.left, scene.right, scene.gamma}.star().p;
-    return {-reach(scene, scene.left, -1, p_star), reach(scene, scene.right, 1, p_star)};
-}
-
 void compare(TubeRun& run, const Column& all_dx, const ExactTube& solution) {
-    const Profile all = std::move(run.profile);
-    run.profile = {};
+    const Profile& all = run.whole;
+    run.profile = run.exact = {};
     Column dx;
     for (std::size_t i = 0; i < all.x.size(); ++i) {
         if (!(std::abs(all.x[i]) < 0.5)) continue;
-        const auto exact = solution.at(all.x[i]);
         dx.push_back(all_dx[i]);
         append(run.profile, all.x[i], {all.rho[i], all.v[i], all.p[i], all.u[i]});
-        append(run.exact, all.x[i], exact);
+        append(run.exact, all.x[i], solution.at(all.x[i]));
     }
     if (dx.empty()) return;
     const auto error = [&](const Column& value, const Column& exact) {
@@ -149,7 +174,6 @@ void compare(TubeRun& run, const Column& all_dx, const ExactTube& solution) {
     run.l1_v = error(run.profile.v, run.exact.v);
     run.l1_p = error(run.profile.p, run.exact.p);
     run.l1_u = error(run.profile.u, run.exact.u);
-    const auto largest = [](const Column& c) { return *std::max_element(c.begin(), c.end()); };
     run.overshoot = std::max(0.0, largest(run.profile.rho) / largest(run.exact.rho) - 1);
     if (solution.vacuum) return;
     const auto n = static_cast<std::ptrdiff_t>(all.x.size());
@@ -158,4 +182,4 @@ void compare(TubeRun& run, const Column& all_dx, const ExactTube& solution) {
         run.wiggle = std::max(run.wiggle, std::abs(all.p[static_cast<std::size_t>(k)] / solution.p_star - 1));
 }
 
-}  // namespace sph
+}  // namespace sph::shocks

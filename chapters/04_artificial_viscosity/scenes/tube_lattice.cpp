@@ -3,16 +3,16 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace sph {
+namespace sph::shocks {
 namespace {
 
-constexpr std::size_t fixed = 12;  // beyond either end: more than two supports
+constexpr std::size_t layer = 12;  // particles beyond either end: more than two supports
 
-/// How many particles one side has: those that waves reach, ten in reserve, and the fixed ones.
+/// How many free particles one side has: those that waves reach, and ten in reserve.
 std::size_t count(double length, double dx) {
     const double wanted = std::abs(length) / dx + 10;
     if (!(wanted < 1e7)) throw std::invalid_argument{"more than ten million particles on one side"};
-    return static_cast<std::size_t>(wanted) + fixed;
+    return static_cast<std::size_t>(wanted);
 }
 
 }  // namespace
@@ -25,24 +25,25 @@ TubeLattice lay_tube(const std::array<double, 2>& rho, const std::array<double, 
     for (std::size_t side = 0; side < 2; ++side) {
         if (rho[side] > 0) size[side] = count(ends[side], lattice.m / rho[side]);
     }
+    /// The k-th particle of a side, counted from the middle.
     const auto add = [&](std::size_t side, std::size_t k) {
         const double dx = lattice.m / rho[side];
         lattice.x.push_back((side == 0 ? -1 : 1) * (static_cast<double>(k) + 0.5) * dx);
         lattice.side.push_back(side);
     };
-    for (std::size_t k = size[0]; k-- > 0;) {
-        if (k + fixed < size[0]) add(0, k);
-    }
-    for (std::size_t k = 0; k + fixed < size[1]; ++k) add(1, k);
-    lattice.moving = lattice.x.size();
+    for (std::size_t k = size[0]; k-- > 0;) add(0, k);
+    for (std::size_t k = 0; k < size[1]; ++k) add(1, k);
+    lattice.free = lattice.x.size();
     std::mt19937_64 random{seed};
-    for (std::size_t i = 0; i < lattice.moving; ++i)
+    for (std::size_t i = 0; i < lattice.free; ++i)
         lattice.x[i] += jitter * random_shift(random) * lattice.m / rho[lattice.side[i]];
-    for (std::size_t k = size[0]; k-- > 0;) {
-        if (k + fixed >= size[0]) add(0, k);
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+        if (size[side] == 0) continue;
+        const std::size_t begin = lattice.x.size();
+        for (std::size_t k = 0; k < layer; ++k) add(side, size[side] + (side == 0 ? layer - 1 - k : k));
+        lattice.layers.push_back({side == 0 ? "left layer" : "right layer", begin, lattice.x.size()});
     }
-    for (std::size_t k = size[1] - (size[1] > 0 ? fixed : 0); k < size[1]; ++k) add(1, k);
     return lattice;
 }
 
-}  // namespace sph
+}  // namespace sph::shocks

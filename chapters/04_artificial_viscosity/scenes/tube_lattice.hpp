@@ -4,17 +4,19 @@
 #include <random>
 #include <vector>
 
+#include "common/core/groups.hpp"
 #include "common/core/vec.hpp"
 
 /// Where the particles of a tube are at t = 0.
-namespace sph {
+namespace sph::shocks {
 
-/// Particles of equal mass m on both sides of x = 0: first those that move, from left to right, then the
-/// layers beyond both ends, which stand for more of the same gas.
+/// Particles of equal mass m on both sides of x = 0: first those that are free, from left to right, then the
+/// layers beyond both ends, which are held and stand for more of the same gas.
 struct TubeLattice {
     Column x;
     std::vector<std::size_t> side;  ///< of each: 0 is left, 1 is right
-    std::size_t moving = 0;
+    std::size_t free = 0;
+    std::vector<Group> layers;  ///< "left layer" and "right layer"; none beside a vacuum
     double m = 0;
 };
 
@@ -29,4 +31,4 @@ inline double random_shift(std::mt19937_64& random) {
     return 2 * (static_cast<double>(random() >> 11) * 0x1p-53) - 1;
 }
 
-}  // namespace sph
+}  // namespace sph::shocks

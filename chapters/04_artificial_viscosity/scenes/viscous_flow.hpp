@@ -1,10 +1,11 @@
 #pragma once
+#include "chapters/04_artificial_viscosity/scenes/methods.hpp"
 #include "chapters/04_artificial_viscosity/scenes/plane_lattice.hpp"
-#include "chapters/04_artificial_viscosity/scenes/plane_methods.hpp"
+#include "common/report/chapter.hpp"
 
 /// Decaying Taylor-Green vortices in the periodic unit square: rho = 1, the largest speed V = 1, a speed of
 /// sound of 1/mach, against the exact solution of the incompressible fluid.
-namespace sph {
+namespace sph::shocks {
 
 struct VortexScene {
     double gamma = 7;   ///< stiff: the background pressure rho c_s^2/gamma drives the noise of the particles
@@ -26,13 +27,13 @@ struct VortexRun {
     double energy_drift = 0;    ///< of the total energy, relative to the kinetic one at the start
     double momentum_drift = 0;  ///< relative to sum m |v|
     Counters counters;
-    double seconds = 0;  ///< CPU time of this thread
+    double seconds = 0;  ///< CPU time of the steps
 };
 
 /// Throws Unstable where the run leaves physics.
-VortexRun run_vortex(const VortexScene& scene, const Method& method);
+VortexRun run_vortex(const VortexScene& scene, const Method<2>& method);
 
 /// The same by finite volumes, n times n cells.
 VortexRun run_vortex_grid(const VortexScene& scene);
 
-}  // namespace sph
+}  // namespace sph::shocks

@@ -1,4 +1,6 @@
-#include "chapters/08_landau_model/figures/figures.hpp"
+#include <cmath>
+
+#include "chapters/08_landau_model/scenes/slab.hpp"
 
 /// What the time step does to the energy, and what the terms of a varying h are for.
 namespace sph::landau {
@@ -10,26 +12,24 @@ void drift(report::Run& run) {
     plot::Panel& axes =
         figure.panel().log_log().labels("step over crossing time", "relative energy drift, $t$ = 2");
     report::Table table{{"method", "courant", "energy drift", "relative L1 of s*", "steps"}};
-    std::size_t k = 0;
     double lowest = 0;
-    for (const char* name : {"fixed-20", "without-omega", "variable", "narrow-graded"}) {
-        const SlabMethod& method = slab_method(name);
+    for (const SlabMethod& method :
+         slab_methods().named({"fixed-20", "without-omega", "variable", "narrow-graded"})) {
         plot::Values drifts;
         for (const double courant : courants) {
             const SlabScene scene{.n = 250, .times = {2}, .courant = courant};
             const SlabProfile profile = run_slab(scene, method).back();
             drifts.push_back(std::abs(profile.energy_drift));
-            const std::string row = method.name + " courant=" + report::number(courant, 2);
-            run.result(row, 250, "energy_drift", profile.energy_drift);
-            table.row({method.label, report::number(courant, 2), below(drifts.back()),
+            run.record(method.name + " courant=" + report::number(courant, 2), 250,
+                       {{"energy_drift", profile.energy_drift}});
+            table.row({method.label, report::number(courant, 2), report::below(drifts.back()),
                        report::number(profile.l1_s_star, 3), std::to_string(profile.counters.steps)});
         }
         lowest = drifts.front();
-        axes.curve(courants, drifts,
-                   {.label = method.label, .colour = plot::cycle(k++), .marker = plot::Marker::circle});
+        axes.curve(courants, drifts, method.styled());
     }
     run.save(figure);
-    run.fill("answer-drift", below(lowest));
+    run.fill("answer-drift", report::below(lowest));
     run.fill("drift", table.markdown());
 }
 

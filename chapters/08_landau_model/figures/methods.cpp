@@ -1,18 +1,15 @@
-#include "chapters/08_landau_model/figures/figures.hpp"
+#include "chapters/08_landau_model/scenes/slab.hpp"
 
 /// What smoothing lengths and grading do to the slab: all methods, one number of particles.
 namespace sph::landau {
 
 void methods(report::Run& run) {
-    SlabScene scene;
-    scene.n = run.quick() ? 120 : 500;
-    scene.times = {2, 4, 6, 8, 10};
-    scene.courant = fast_courant;
+    const SlabScene scene{
+        .n = run.quick() ? 120UL : 500UL, .times = {2, 4, 6, 8, 10}, .courant = SlabScene::fast_courant};
     plot::Figure figure{"methods"};
     plot::Panel& axes = figure.panel().labels("$t$", "relative $L$_{1} error of $s$*").log_y();
     axes.legend.outside = true;
     report::Table table{{"method", "t = 2", "4", "6", "8", "10", "energy drift", "steps", "CPU s"}};
-    std::size_t k = 0;
     for (const SlabMethod& method : slab_methods()) {
         plot::Values errors;
         std::vector<std::string> row{method.label};
@@ -20,21 +17,19 @@ void methods(report::Run& run) {
         for (const SlabProfile& profile : profiles) {
             errors.push_back(profile.l1_s_star);
             row.push_back(report::number(profile.l1_s_star, 2));
-            run.result(method.name + " t=" + report::number(profile.time, 3), static_cast<long>(scene.n),
-                       "l1_s_star", profile.l1_s_star);
+            run.record(method.name + " t=" + report::number(profile.time, 3), scene.n,
+                       {{"l1_s_star", profile.l1_s_star}});
         }
         const SlabProfile& last = profiles.back();
-        run.result(method.name, static_cast<long>(scene.n), "energy_drift", last.energy_drift);
-        run.result(method.name, static_cast<long>(scene.n), "steps",
-                   static_cast<double>(last.counters.steps));
-        run.result(method.name, static_cast<long>(scene.n), "cpu_seconds", last.seconds, "s");
-        row.push_back(below(last.energy_drift));
+        run.record(method.name, scene.n,
+                   {{"energy_drift", last.energy_drift},
+                    {"steps", static_cast<double>(last.counters.steps)},
+                    {"cpu_seconds", last.seconds, "s"}});
+        row.push_back(report::below(last.energy_drift));
         row.push_back(std::to_string(last.counters.steps));
         row.push_back(report::timing(last.seconds));
         table.row(row);
-        axes.curve(scene.times, errors,
-                   {.label = method.label, .colour = plot::cycle(k), .marker = plot::Marker::circle});
-        ++k;
+        axes.curve(scene.times, errors, method.styled());
     }
     run.save(figure);
     run.fill("methods", table.markdown());

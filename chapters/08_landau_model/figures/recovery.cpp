@@ -2,18 +2,18 @@
 
 #include "chapters/08_landau_model/fluids.hpp"
 #include "chapters/08_landau_model/recovery.hpp"
-#include "chapters/08_landau_model/figures/figures.hpp"
+#include "common/report/chapter.hpp"
 
 /// How far each way to find the velocity from the momentum goes.
 namespace sph::landau {
 namespace {
 
-/// Relative error of the Lorentz factor that `find` gives for q of the four-velocity u; 1 where it gives
+/// Relative error of the Lorentz factor that `find` gives for q of the four-velocity U; 1 where it gives
 /// none.
 template <class Fluid, class Find>
-double recovery_error(const Fluid& fluid, double u, Find&& find) {
-    const double lorentz = std::sqrt(1 + u * u), n_star = lorentz;
-    const double q = u * fluid.enthalpy(n_star / lorentz);
+double recovery_error(const Fluid& fluid, double U, Find&& find) {
+    const double lorentz = std::sqrt(1 + U * U), n_star = lorentz;
+    const double q = U * fluid.enthalpy(n_star / lorentz);
     const double error = std::abs(find(q, n_star).lorentz() / lorentz - 1);
     return error <= 1 ? error : 1;
 }
@@ -32,15 +32,15 @@ void recovery(report::Run& run) {
         plot::Values at, error;
         double largest = 0, fails = 0;
         for (int i = 0; i < points; ++i) {
-            const double u = std::pow(10.0, -3 + 9.0 * i / (points - 1));
-            const double e = recovery_error(radiation, u, find), lorentz = std::sqrt(1 + u * u);
-            at.push_back(u * u / (1 + lorentz)), error.push_back(std::max(e, floor));
+            const double U = std::pow(10.0, -3 + 9.0 * i / (points - 1));
+            const double e = recovery_error(radiation, U, find), lorentz = std::sqrt(1 + U * U);
+            at.push_back(U * U / (1 + lorentz)), error.push_back(std::max(e, floor));
             largest = std::max(largest, e);
             if (e > 1e-6 && fails == 0) fails = lorentz;
         }
         axes.curve(at, error, {.label = label, .colour = plot::cycle(k), .marker = plot::Marker::circle});
-        run.result(name, points, "linf_lorentz", largest);
-        run.result(name, points, "fails_from_lorentz", fails);
+        run.record(name, static_cast<std::size_t>(points),
+                   {{"linf_lorentz", largest}, {"fails_from_lorentz", fails}});
         table.row({label, report::number(largest, 1), fails > 0 ? report::number(fails, 2) : "–"});
     };
     add("bracketed", "bracketed, in lorentz v", 0,

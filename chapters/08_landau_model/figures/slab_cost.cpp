@@ -1,41 +1,44 @@
 #include "chapters/08_landau_model/scenes/grid.hpp"
-#include "chapters/08_landau_model/figures/figures.hpp"
+#include "common/plot/looks.hpp"
+#include "common/report/comparison.hpp"
 #include "common/report/norms.hpp"
+#include "common/report/race.hpp"
 
 /// What accuracy costs in the slab: error at t = 10 against particles and against CPU seconds.
 namespace sph::landau {
 namespace {
 
-struct Series {
-    std::string name, label;
-    plot::Style style;
-    std::vector<std::size_t> sizes;
-    std::function<SlabProfile(std::size_t)> run;
-};
+report::Lap lap(const SlabProfile& profile) {
+    return {profile.l1_s_star, profile.seconds, 0, {{"steps", static_cast<double>(profile.counters.steps)}}};
+}
 
-std::vector<Series> all_series(report::Run& run) {
-    const bool quick = run.quick();
-    std::vector<Series> all;
-    std::size_t k = 0;
-    for (const char* name : {"variable", "graded", "narrow", "narrow-graded"}) {
-        const SlabMethod method = slab_method(name);
+std::vector<report::Contestant> contestants(bool quick) {
+    std::vector<report::Contestant> all;
+    for (const SlabMethod& method : slab_methods().named({"variable", "graded", "narrow", "narrow-graded"})) {
+        const auto run = [method](std::size_t n) {
+            return lap(run_slab({.n = n, .times = {10}, .courant = SlabScene::fast_courant}, method).back());
+        };
         std::vector<std::size_t> sizes{30, 60, 125, 250, 500};
-        if (method.name == slab_methods().back().name) sizes = {60, 125, 250, 500, 1000, 2000};
+        if (method.name == slab_methods().recommended().name) sizes = {60, 125, 250, 500, 1000, 2000};
         if (quick) sizes = {60, 125};
-        all.push_back({method.name,
-                       method.label,
-                       {.label = method.label, .colour = plot::cycle(k++), .marker = plot::Marker::circle},
-                       sizes,
-                       [method](std::size_t n) {
-                           SlabScene scene{.n = n, .times = {10}, .courant = fast_courant};
-                           return run_slab(scene, method).back();
-                       }});
+        all.push_back({method.name, method.label, method.styled(), run, sizes});
     }
     all.push_back(
-        {"grid", "grid", grid_line(),
-         quick ? std::vector<std::size_t>{50, 100} : std::vector<std::size_t>{50, 100, 200, 400, 800, 1600},
-         [](std::size_t n) { return run_grid_slab(n, {10}).back(); }});
+        {"grid", "grid", plot::competitor("grid"),
+         [](std::size_t n) { return lap(run_grid_slab(n, {10}).back()); },
+         quick ? std::vector<std::size_t>{50, 100} : std::vector<std::size_t>{50, 100, 200, 400, 800, 1600}});
     return all;
+}
+
+void add_rows(report::Comparison& table, const report::Track& track) {
+    const plot::Values n = track.sizes();
+    for (std::size_t k = 0; k < n.size(); ++k) {
+        report::Quantities lap = track.lap(k);
+        if (k > 0)
+            lap.push_back(
+                {"order", report::observed_order(n[k - 1], track.error[k - 1], n[k], track.error[k])});
+        table.show({track.who.label, std::to_string(track.n[k])}, lap);
+    }
 }
 
 }  // namespace
@@ -47,31 +50,19 @@ void slab_cost(report::Run& run) {
     plot::Panel& cost = figure.at(0, 1).log_log().labels("CPU time [s]", "");
     convergence.legend.shown = false;
     cost.legend.outside = true;
-    report::Table table{{"method", "N", "relative L1 of s*", "order", "steps", "CPU ms"}};
-    for (const Series& series : all_series(run)) {
-        plot::Values n, error, seconds;
-        for (const std::size_t size : series.sizes) {
-            const SlabProfile profile = series.run(size);
-            const auto count = static_cast<long>(size);
-            const std::string order =
-                n.empty()
-                    ? "–"
-                    : report::fixed(report::observed_order(n.back(), error.back(), static_cast<double>(size),
-                                                           profile.l1_s_star),
-                                    1);
-            n.push_back(static_cast<double>(size));
-            error.push_back(profile.l1_s_star);
-            seconds.push_back(profile.seconds);
-            run.result(series.name, count, "l1_s_star", profile.l1_s_star);
-            run.result(series.name, count, "steps", static_cast<double>(profile.counters.steps));
-            run.result(series.name, count, "cpu_seconds", profile.seconds, "s");
-            table.row({series.label, std::to_string(size), report::number(profile.l1_s_star, 2), order,
-                       std::to_string(profile.counters.steps), report::timing(1e3 * profile.seconds)});
-        }
-        run.result(series.name, 0, "rate_l1_s_star", report::fitted_order(n, error));
-        convergence.curve(n, error, series.style);
-        cost.curve(seconds, error, series.style);
+    using namespace report;
+    Comparison table{{"method", "N"},
+                     {{"relative L1 of s*", "l1_s_star", digits(2)},
+                      {"order", "order", decimals(1), "–"},
+                      {"steps", "steps", whole()},
+                      {"CPU ms", "cpu_seconds", time_in(1e-3)}}};
+    const auto tracks = report::race(run, {.quantity = "l1_s_star", .repeats = 1}, contestants(run.quick()));
+    for (const report::Track& track : tracks) {
+        run.record(track.who.name, 0, {{"rate_l1_s_star", track.order()}});
+        add_rows(table, track);
     }
+    report::draw_error_against_size(convergence, tracks);
+    report::draw_error_against_seconds(cost, tracks);
     run.save(figure);
     run.fill("slab-cost", table.markdown());
 }

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/08_landau_model/fluids.hpp"
-#include "common/exact/landau.hpp"
+#include "common/app/clock.hpp"
 #include "common/exact/relativistic_finite_volume.hpp"
-#include "common/report/timer.hpp"
 
-namespace sph {
+namespace sph::landau {
 namespace {
 
 /// s* of both halves at the centres of the cells.
@@ -38,9 +36,7 @@ std::vector<SlabProfile> run_grid_slab(std::size_t n, const std::vector<double>&
     double seconds = 0;
     std::vector<SlabProfile> profiles;
     for (const double t : times) {
-        const double begin = report::thread_cpu_seconds();
-        grid.advance_to(t);
-        seconds += report::thread_cpu_seconds() - begin;
+        seconds += app::thread_cpu_seconds([&] { grid.advance_to(t); });
         profiles.push_back(read(grid.cells(), t));
         profiles.back().seconds = seconds;
         profiles.back().energy_drift = grid.energy() / energy - 1;
@@ -50,7 +46,7 @@ std::vector<SlabProfile> run_grid_slab(std::size_t n, const std::vector<double>&
     return profiles;
 }
 
-RelativisticTubeRun run_grid_relativistic_tube(const TubeScene& scene) {
+TubeRun run_grid_relativistic_tube(const TubeScene& scene) {
     const auto solution = relativistic_solution(scene);
     const auto& waves = solution.waves();
     const double dx = 1 / static_cast<double>(scene.n);
@@ -60,21 +56,19 @@ RelativisticTubeRun run_grid_relativistic_tube(const TubeScene& scene) {
     const double length = static_cast<double>(half) * dx;
     exact::RelativisticFiniteVolume<exact::RelativisticGas> grid{
         exact::uniform_tube(-length, 0, length, 2 * half, scene.left, scene.right), {scene.gamma}, {}};
-    RelativisticTubeRun run;
-    const double begin = report::thread_cpu_seconds();
-    grid.advance_to(scene.time);
-    run.seconds = report::thread_cpu_seconds() - begin;
+    TubeRun run;
+    run.seconds = app::thread_cpu_seconds([&] { grid.advance_to(scene.time); });
     run.counters.steps = grid.steps();
     run.counters.pairs = grid.cell_updates();
     const exact::GasCells cells = grid.cells();
+    const IdealGas gas{scene.gamma};
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto& [rho, v, p] = cells.states[i];
-        run.profile.x.push_back(cells.centre(i)), run.profile.rho.push_back(rho), run.profile.v.push_back(v);
-        run.profile.p.push_back(p), run.profile.u.push_back(p / (rho * (scene.gamma - 1)));
+        run.whole.x.push_back(cells.centre(i)), run.whole.rho.push_back(rho), run.whole.v.push_back(v);
+        run.whole.p.push_back(p), run.whole.u.push_back(gas.energy(rho, p));
     }
-    look_at_shock(run, run.profile, scene, solution);
-    compare(run, Column(run.profile.x.size(), dx), exact_tube(solution, scene.time));
+    shocks::compare(run, Column(run.whole.x.size(), dx), shocks::exact_tube(solution, scene.time));
     return run;
 }
 
-}  // namespace sph
+}  // namespace sph::landau

@@ -3,26 +3,25 @@
 #include <string>
 #include <vector>
 
-#include "common/core/counters.hpp"
-#include "common/core/vec.hpp"
+#include "common/core/integrated.hpp"
+#include "common/report/chapter.hpp"
+#include "common/report/method.hpp"
 
 /// Landau's slab: |x| <= 1 at rest at t = 0, s0 = eps0 = 1, P = eps/3, vacuum outside (Chen 2017, chapter 4).
-namespace sph {
+namespace sph::landau {
 
-/// How the slab is resolved, by name.
-struct SlabMethod {
-    std::string name;   ///< for options and results.csv
-    std::string label;  ///< for figures
-    std::string kernel;
-    double h = 1;            ///< in initial spacings, or in units of nu/s* where h varies
-    bool varies = true;      ///< h follows the density
-    bool graded = false;     ///< particles become lighter towards the edges
-    bool with_omega = true;  ///< the terms of the variation of h
+/// What the scene gives to a method: the ends of the particles' cells.
+struct SlabSetup {
+    Column cells;
+    double courant;
+    int threads;
 };
-/// From the thesis' to the recommended one, which is the last.
-const std::vector<SlabMethod>& slab_methods();
-/// Throws std::invalid_argument for an unknown name.
-const SlabMethod& slab_method(const std::string& name);
+/// How the slab is resolved; h_over_dx counts in initial spacings, or in units of nu/s* where h varies.
+struct SlabMethod : report::Method<Integrated<1>, SlabSetup> {
+    bool graded = false;  ///< particles become lighter towards the edges
+};
+/// From the thesis' to the recommended one.
+const report::Methods<SlabMethod>& slab_methods();
 
 struct SlabScene {
     std::size_t n = 1000;       ///< particles in |x| <= 1
@@ -31,18 +30,19 @@ struct SlabScene {
     /// same profiles to 3 % of their error.
     double courant = default_courant;
     int threads = 1;
-    static constexpr double default_courant = 0.08;
+    std::function<void(double share)> progress{};
+    static constexpr double default_courant = 0.08, fast_courant = 0.5;
 };
 
 struct SlabProfile {
     double time = 0;
     Column x, s_star, eps, rapidity;                 ///< of the particles, in order
     Column exact_s_star, exact_eps, exact_rapidity;  ///< at the same places
-    double l1_s_star =
-        0;  ///< relative L1 over |x| <= 1 + t: particles joined by lines, 0 beyond the last one
+    /// Relative L1 over |x| <= 1 + t: particles joined by lines, 0 beyond the last one.
+    double l1_s_star = 0;
     double energy_drift = 0, momentum = 0;  ///< relative to the energy at t = 0
     double edge_gap = 0;                    ///< from the last particle to the vacuum at 1 + t
-    double seconds = 0;                     ///< CPU time until here
+    double seconds = 0;                     ///< CPU time of the steps until here
     Counters counters;
 };
 
@@ -58,4 +58,17 @@ double slab_error(const Column& x, const Column& s_star, double t);
 /// the square root of the distance to the edge.
 Column slab_cells(std::size_t n, bool graded);
 
-}  // namespace sph
+/// The scene `slab` of the reader's own.
+class SlabCommand {
+  public:
+    SlabCommand();
+    void declare(app::CommandLine& line);
+    void run(report::Run& run) const;
+
+  private:
+    report::MethodOptions<SlabMethod> method_;
+    double time_ = 10, courant_ = SlabScene::default_courant;
+    long particles_ = 1000;
+};
+
+}  // namespace sph::landau

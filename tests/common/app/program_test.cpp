@@ -102,6 +102,17 @@ TEST_CASE("progress prints a plain line a finished item where nobody watches") {
     CHECK(std::regex_match(outcome.err, lines));
 }
 
+TEST_CASE("the share of an item that is done is told only of long work where nobody watches") {
+    // Fails if every call prints a line: long work may tell its share at each of a million steps.
+    const auto outcome = run([] {
+        app::Progress progress{"chapter 1", 1};
+        progress.begin("tube");
+        for (int k = 0; k < 1000; ++k) progress.share("tube", k / 1000.0);
+        progress.finish("tube");
+    });
+    CHECK(std::regex_match(outcome.err, std::regex{"chapter 1: tube done \\(1/1, [0-9.]+ s\\)\n"}));
+}
+
 TEST_CASE("progress redraws one line on a terminal") {
     // Fails if each step prints a line of its own, if the line wraps, or if the next text continues the bar.
     const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);

@@ -24,7 +24,7 @@ struct Seen {
 template <int d>
 std::vector<Seen> places(const Box<d>& box, std::size_t a, double x, double reach) {
     const double low = box.low[a], high = box.high[a];
-    const auto [first, second] = box.faces[a];
+    const Face first = box.faces[a].first, second = box.faces[a].second;
     std::vector<Seen> found{{x, 1}};
     if (first == Face::periodic) {
         for (const double side : {-1.0, 1.0}) {

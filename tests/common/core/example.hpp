@@ -1,6 +1,7 @@
 #pragma once
 #include "chapters/01_kernel_interpolation/interpolation.hpp"
 #include "common/core/integrators.hpp"
+#include "common/core/march.hpp"
 
 // The scene that common/core/README.md shows; a test keeps the two the same and runs it.
 namespace example {
@@ -28,21 +29,24 @@ struct Spring {
 // [scene]
 using namespace sph;
 using Drop = Particles<2, Position, Velocity, Acceleration, Mass, Density, Pressure>;
-using Motion = Equations<Evolve<Position, Velocity>, Evolve<Velocity, Acceleration>>;
 
-/// A drop of gas, p = rho^2, held together by a spring, in free space: `steps` leapfrog steps of length dt.
-inline Counters run(Drop& drop, double h, double dt, int steps, int threads) {
+/// A drop of gas, p = rho^2, held together by a spring, in free space: so many equal leapfrog steps to t =
+/// end.
+inline Counters run(Drop& drop, double h, double end, long steps, int threads) {
     Neighbours<2> neighbours{Free{}, threads};
     const ConstantH<CubicSpline<2>> smoothing{h};
+    Motion motion{neighbours.team()};
+    motion.evolve<Position, Velocity>(drop).evolve<Velocity, Acceleration>(drop);
     const auto rates = [&](double /*t*/) {
         neighbours.find(drop.x, smoothing.reach());
         sum_over_neighbours(drop, neighbours, smoothing, Effects{SummedDensity{}});
         for (std::size_t i = 0; i < drop.size(); ++i) drop.p[i] = drop.rho[i] * drop.rho[i];
         sum_over_neighbours(drop, neighbours, smoothing, Effects{PressureForce{}, Spring{.Omega2 = 1}});
     };
-    KickDriftKick<Motion> leapfrog{neighbours.counters()};
+    KickDriftKick leapfrog{motion, rates};
     double t = 0;
-    for (int step = 0; step < steps; ++step) leapfrog.step(drop, t, dt, rates);
+    const Marched done = march(leapfrog, t, {.end = end, .steps = steps});
+    neighbours.counters().steps += done.steps;
     return neighbours.counters();
 }
 // [end]

@@ -28,7 +28,7 @@ struct Constant {
     };
     template <int d>
     Pair<d> pair(const auto&, const auto&, const sph::Vec<sph::Tile, d>& x_ij) const {
-        const sph::Tile s = Bump::deficit(sph::Tile{dot(x_ij, x_ij)}, h);
+        const sph::Tile s = Bump::deficit(dot(x_ij, x_ij), h);
         return {x_ij, s.square(), s * (-4 / (h * h))};
     }
 };
@@ -39,7 +39,7 @@ struct Mean {
     template <int d>
     Constant::Pair<d> pair(const auto& i, const auto& j, const sph::Vec<sph::Tile, d>& x_ij) const {
         const sph::Tile h = 0.5 * (i.h + j.h);
-        const sph::Tile s = Bump::deficit(sph::Tile{dot(x_ij, x_ij)}, h);
+        const sph::Tile s = Bump::deficit(dot(x_ij, x_ij), h);
         return {x_ij, s.square(), -4.0 * s / h.square()};
     }
 };

@@ -191,6 +191,18 @@ TEST_CASE("riemann: inside the waves and across them") {
     CHECK(sod.at(0.5, 0.25).u == sod.at(2.0).u);
     CHECK(sod.at(-1e-9, 0).rho == 1);
     CHECK(sod.at(0, 0).rho == 0.125);
+    const Riemann::Waves& waves = sod.waves();
+    CHECK(waves.left.head == Approx(-c).epsilon(1e-14));
+    CHECK(waves.left.tail == Approx(-0.0702728125611833).epsilon(1e-13));
+    CHECK(!waves.left.shock);
+    CHECK(waves.contact == sod.star().v);
+    CHECK(waves.right.head == Approx(1.75215573203018).epsilon(1e-14));
+    CHECK(waves.right.tail == waves.right.head);
+    CHECK(waves.right.shock);
+    const Riemann::Waves other = Riemann{{0.125, 0, 0.1}, {1, 0, 1}, 1.4}.waves();
+    CHECK(other.left.head == -waves.right.head);
+    CHECK(other.left.shock);
+    CHECK(other.right.tail == -waves.left.tail);
 }
 
 TEST_CASE("riemann: vacuum between and beside") {
@@ -204,7 +216,15 @@ TEST_CASE("riemann: vacuum between and beside") {
     const Riemann beside{{1, 0, 1}, {0, 0, 0}, 1.4};
     CHECK(beside.at(5 * std::sqrt(1.4) + 1e-9).rho == 0);
     CHECK(beside.at(0).v == Approx(2 / 2.4 * std::sqrt(1.4)).epsilon(1e-14));
+    CHECK(between.waves().left.head == Approx(-10 - std::sqrt(1.4)).epsilon(1e-14));
+    CHECK(between.waves().left.tail == Approx(front).epsilon(1e-14));
+    CHECK(between.waves().right.tail == -between.waves().left.tail);
+    CHECK(beside.waves().left.head == Approx(-std::sqrt(1.4)).epsilon(1e-14));
+    CHECK(beside.waves().left.tail == Approx(5 * std::sqrt(1.4)).epsilon(1e-14));
+    CHECK(beside.waves().right.head == beside.waves().left.tail);  // no wave on the empty side
+    CHECK(beside.waves().right.tail == beside.waves().left.tail);
     const Riemann mirror{{0, 0, 0}, {1, 0, 1}, 1.4};
+    CHECK(mirror.waves().left.head == -beside.waves().left.tail);
     for (const double xi : {-6.0, -3.0, -0.5, 0.5, 2.0}) {
         CHECK(mirror.at(xi).rho == beside.at(-xi).rho);
         CHECK(mirror.at(xi).v == -beside.at(-xi).v);

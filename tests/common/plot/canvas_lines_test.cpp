@@ -16,8 +16,6 @@ using plot::Polyline;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 Image stroke(Canvas& canvas, const Polyline& line, double width, std::span<const double> dashes = {}) {
     return drawn(canvas, 120, 120, [&](Canvas& c) { c.stroke({&line, 1}, width, black, dashes); });
 }
@@ -46,7 +44,7 @@ TEST_CASE("a line covers its length times its width, at any angle") {
             const Point centre{60.3, 59.8};
             const auto ink = picture::ink(
                 stroke(canvas, {on_circle(centre, 40, angle), on_circle(centre, -40, angle)}, width));
-            const double area = 80 * width + pi * width * width / 4;  // with its round caps
+            const double area = 80 * width + std::numbers::pi * width * width / 4;  // with its round caps
             // Measured: 0.9 % at 0.5 pixels' width (the caps of thin lines), 0.2 pixels between centres
             // (along the line, from the caps). Fails if lines are 0.1 pixels too wide, or have no caps.
             CHECK(ink.sum == Approx(area).epsilon(0.012));
@@ -132,7 +130,7 @@ TEST_CASE("dashes have their length, caps included, and go on around corners") {
     Canvas canvas;
     const std::array<double, 2> dashes{12, 8};
     const Image straight = stroke(canvas, {{10, 50}, {110, 50}}, 4, dashes);
-    const double dash = 8 * 4 + pi * 4;  // 12 long, round ends of radius 2
+    const double dash = 8 * 4 + std::numbers::pi * 4;  // 12 long, round ends of radius 2
     CHECK(picture::ink(straight).sum == Approx(5 * dash).epsilon(0.01));
     CHECK(ink_at(straight, 10, 49) > 0.5);
     CHECK(ink_at(straight, 15, 49) == 1);
@@ -144,7 +142,7 @@ TEST_CASE("dashes have their length, caps included, and go on around corners") {
     CHECK(picture::largest_difference(straight, stroke(canvas, bent, 4, dashes)) <= 2);
     const std::array<double, 2> dots{0, 10};
     CHECK(picture::ink(stroke(canvas, {{15, 50}, {104, 50}}, 4, dots)).sum ==
-          Approx(9 * pi * 4).epsilon(0.03));  // measured: 2 %
+          Approx(9 * std::numbers::pi * 4).epsilon(0.03));  // measured: 2 %
     for (const std::vector<double>& wrong : {std::vector<double>{5}, {5, -1}, {5, NAN}, {0, 0}})
         CHECK_THROWS_AS(stroke(canvas, {{1, 1}, {9, 9}}, 1, wrong), std::invalid_argument);
 }

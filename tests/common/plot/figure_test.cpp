@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "common/plot/colour_map.hpp"
+#include "common/plot/looks.hpp"
 
 using namespace plot;
 
@@ -158,4 +159,44 @@ TEST_CASE("the cycle has ten colours that read on white") {
                   0.25);
     }
     CHECK(cycle(10).green == cycle(0).green);
+}
+
+TEST_CASE("horizontal bars stand under each other, named, the first on top") {
+    // Fails if the order is turned, if a bar does not begin at zero, or if a given range is overridden.
+    Figure figure{"bars"};
+    Panel& panel = figure.panel().bars({"fast", "slow", "none"}, {2, 8, 0});
+    CHECK(panel.y.ticks == Values{3, 2, 1});
+    CHECK(panel.y.tick_names == std::vector<std::string>{"fast", "slow", "none"});
+    REQUIRE(panel.bands.size() == 3);
+    CHECK(panel.bands[1].x == Values{0, 8});
+    CHECK(panel.bands[1].low[0] < 2);
+    CHECK(panel.bands[1].high[0] > 2);
+    CHECK(panel.bands[1].low[0] > panel.bands[2].high[0]);  // they do not touch
+    CHECK((*panel.x.range)[0] == 0);
+    CHECK((*panel.x.range)[1] == Approx(8.8));
+    CHECK_FALSE(panel.grid);
+    CHECK(faults(figure).empty());
+    Figure ranged{"bars"};
+    ranged.panel().x_range(0, 105).bars({"a"}, {50});
+    CHECK((*ranged.panel().x.range)[1] == 105);
+    CHECK_THROWS_AS(ranged.panel().bars({"a", "b"}, {1}), std::invalid_argument);
+}
+
+TEST_CASE("what looks the same in every figure") {
+    // Fails if a competitor has a colour, or if dots keep their line.
+    CHECK(exact().label == "exact");
+    CHECK(exact().marker == Marker::none);
+    const Style grid = competitor("grid", Marker::plus);
+    for (const Style& style : {exact(), grid}) {
+        REQUIRE(style.colour.has_value());
+        CHECK(style.colour->red + style.colour->green + style.colour->blue == 0);
+    }
+    CHECK(grid.label == "grid");
+    CHECK(grid.marker == Marker::plus);
+    CHECK(competitor("grid").marker == Marker::cross);
+    CHECK(dots(grid).width == 0);
+    CHECK(dots(grid, 2).marker_size == 2);
+    CHECK(dots(grid).marker == Marker::plus);
+    CHECK(line(grid).marker == Marker::none);
+    CHECK(line(grid).width == grid.width);
 }

@@ -50,6 +50,19 @@ TEST_CASE("norms refuse what has no meaning") {
     CHECK_THROWS_AS(l1_error(two, two, one), std::invalid_argument);
 }
 
+TEST_CASE("errors of values that come one by one, vectors component by component") {
+    // e = (1, 2, -4), f - e = (1, -1, 2), as above. Fails if a root is missing, or if errors are added
+    // unsquared.
+    report::SquaredError error;
+    error.add(2, 1);
+    error.add(1, 2);
+    error.add(-2, -4);
+    CHECK(error.relative() == Approx(std::sqrt(6.0 / 21)).epsilon(1e-15));
+    report::SquaredError none;
+    none.add(1, 0);
+    CHECK_FALSE(std::isfinite(none.relative()));  // the exact values are all zero: there is no relative error
+}
+
 TEST_CASE("observed order") {
     // Errors 3 n^-2. Fails if the sign is turned or n1 and n2 are swapped.
     CHECK(observed_order(10, 0.03, 20, 0.0075) == Approx(2).epsilon(1e-14));

@@ -1,0 +1,52 @@
+#include "chapters/01_kernel_interpolation/figures/figures.hpp"
+
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace sph::interpolation {
+
+std::string kernel_label(std::string_view name) {
+    static const std::map<std::string_view, std::string> labels{
+        {"gaussian", "Gaussian"},       {"super-gaussian", "super-Gaussian"}, {"cubic", "cubic spline"},
+        {"quartic", "quartic spline"},  {"quintic", "quintic spline"},        {"lucy", "Lucy"},
+        {"wendland-c2", "Wendland C2"}, {"wendland-c4", "Wendland C4"},       {"wendland-c6", "Wendland C6"}};
+    const auto found = labels.find(name);
+    return found == labels.end() ? std::string{name} : found->second;
+}
+
+plot::Style kernel_style(std::size_t index, const std::string& label, bool markers) {
+    using plot::Dash;
+    using plot::Marker;
+    constexpr std::array dashes{Dash::solid,       Dash::solid,       Dash::solid,
+                                Dash::dash_dotted, Dash::dashed,      Dash::dotted,
+                                Dash::dashed,      Dash::dash_dotted, Dash::solid};
+    constexpr std::array shapes{Marker::circle,  Marker::triangle_up,   Marker::square,
+                                Marker::diamond, Marker::triangle_down, Marker::plus,
+                                Marker::cross,   Marker::circle,        Marker::square};
+    plot::Style style{.label = label, .colour = plot::cycle(index), .dash = dashes.at(index)};
+    if (index >= 8) style.colour = plot::Colour{0.45, 0.45, 0.45};  // the cycle would begin anew
+    if (markers) {
+        style.marker = shapes.at(index);
+        style.filled = index < 5;
+        style.dash = Dash::solid;
+        style.width = 1;
+    }
+    return style;
+}
+
+plot::Values linear_space(double low, double high, std::size_t count) {
+    plot::Values values(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        values[i] = low + (high - low) * static_cast<double>(i) / static_cast<double>(count - 1);
+    }
+    return values;
+}
+
+plot::Values log_space(double low, double high, std::size_t count) {
+    plot::Values values = linear_space(std::log(low), std::log(high), count);
+    for (double& v : values) v = std::exp(v);
+    return values;
+}
+
+}  // namespace sph::interpolation

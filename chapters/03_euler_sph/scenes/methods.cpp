@@ -1,0 +1,39 @@
+#include "chapters/03_euler_sph/scenes/methods.hpp"
+
+#include <array>
+
+namespace sph::euler {
+
+const std::vector<std::string>& resolution_names() {
+    static const std::vector<std::string> names{"fixed-h", "continuity", "averaged-h", "without-omega",
+                                                "consistent-h"};
+    return names;
+}
+const std::vector<std::string>& resolutions_at_rest() {
+    static const std::vector<std::string> names{"fixed-h", "without-omega", "consistent-h"};
+    return names;
+}
+
+std::vector<GasMethod> compared_methods(double best_h_over_dx) {
+    using plot::Marker;
+    std::vector<GasMethod> all{
+        {"fixed-h", "cubic", 1.2, "fixed-h", "one $h$"},
+        {"averaged-h", "cubic", 1.2, "averaged-h", "mean of both $h$"},
+        {"without-omega", "cubic", 1.2, "without-omega", "own $h$, without Ω"},
+        {"consistent-h", "cubic", 1.2, "consistent-h", "own $h$, with Ω"},
+        {"consistent-h", "super-gaussian", best_h_over_dx, "super-gaussian", "with Ω, super-Gaussian"}};
+    constexpr std::array markers{Marker::square, Marker::triangle_up, Marker::diamond, Marker::circle,
+                                 Marker::triangle_down};
+    for (std::size_t k = 0; k < all.size(); ++k)
+        all[k].look = {.label = all[k].label, .colour = plot::cycle(k), .marker = markers[k]};
+    return all;
+}
+
+void MethodChoice::declare(app::CommandLine& line, const std::vector<std::string>& resolutions) {
+    line.choice("resolution", method.resolution, resolutions, "where density and h come from")
+        .choice("kernel", method.kernel, any_kernel_names(), "smoothing kernel")
+        .number("h-over-dx", method.h_over_dx, {0.5, 8}, "spacings",
+                "smoothing length: of all, or h_over_dx of (4.2)");
+}
+
+}  // namespace sph::euler

@@ -1,0 +1,23 @@
+#pragma once
+#include "common/core/vec.hpp"
+#include "common/plot/figure.hpp"
+
+/// Maps and profiles of what happens around the origin of a plane.
+namespace sph::shocks {
+
+struct PlaneField {
+    const Columns<2>& x;
+    const Column& r;
+    const Column& rho;
+};
+/// The density in 0 <= x, y <= side, in colours up to `highest`.
+void draw_map(plot::Panel& panel, const PlaneField& field, double side, double highest, double diameter);
+/// The density against r up to r_end.
+void draw_profile(plot::Panel& panel, const PlaneField& field, double r_end, const plot::Style& look);
+
+/// The competitor in the plane.
+inline plot::Style plane_grid() {
+    return {.label = "grid", .colour = plot::Colour{0.35, 0.35, 0.35}, .marker = plot::Marker::cross};
+}
+
+}  // namespace sph::shocks

@@ -1,0 +1,69 @@
+#include "common/exact/sedov.hpp"
+
+#include "chapters/04_artificial_viscosity/figures/plane.hpp"
+#include "chapters/04_artificial_viscosity/scenes/sedov_plane.hpp"
+#include "common/core/unstable.hpp"
+#include "common/plot/looks.hpp"
+#include "common/report/comparison.hpp"
+
+/// All runs with one thread, so that their CPU times compare.
+namespace sph::shocks {
+namespace {
+
+report::Comparison sedov_table() {
+    using namespace report;
+    return {{"method", "N"},
+            {{"ρ, L₁", "l1_rho", digits(2)},
+             {"v, L₁", "l1_v", digits(2)},
+             {"P, L₁", "l1_p", digits(2)},
+             {"shock at (0.4)", "shock_radius", decimals(3)},
+             {"peak / exact", "peak", digits(2)},
+             {"CPU [s]", "cpu_seconds", time_in(1)}}};
+}
+
+}  // namespace
+
+void sedov(report::Run& run) {
+    SedovScene scene;
+    scene.n = run.quick() ? 16 : 40;
+    scene.most_steps = 400;  // methods that finish need 270
+    report::Comparison table = sedov_table();
+    const auto add = [&](const SedovScene& one, const Method<2>& method, const std::string& name,
+                         const std::string& label) {
+        const SedovRun blast = run_sedov(one, method);
+        table.add(run, name, blast.r.size(), {label, std::to_string(blast.r.size())},
+                  blast.measured() + report::Quantities{{"energy_drift", blast.energy_drift}});
+        return blast;
+    };
+    for (const Method<2>& method :
+         plane_methods().named({"alpha-beta", "signal", "balsara", "colagrossi", "reconstructed"})) {
+        try {
+            add(scene, method, method.name, method.label);
+        } catch (const Unstable&) {
+            table.add_words({method.label, std::to_string(scene.n * scene.n), "stops"});
+        }
+    }
+    scene.n = run.quick() ? 20 : 60;
+    scene.most_steps = SedovScene{}.most_steps;
+    const Method<2>& signal = plane_methods()["signal"];
+    const SedovRun fine = add(scene, signal, signal.name, signal.label);
+    SedovScene other = scene;
+    other.n = scene.n / 2;
+    other.quarter = false;
+    other.lattice = Lattice::hexagonal;
+    add(other, signal, "signal hexagonal", "the same, hexagonal, whole plane");
+    const SedovRun grid = run_sedov_grid(scene);
+    table.add(run, "grid", grid.r.size(), {"grid", std::to_string(grid.r.size())}, grid.measured());
+    run.fill("sedov", table.markdown());
+
+    plot::Figure figure{"sedov", 1, 2};
+    draw_map(figure.at(0, 0).titled("signal velocity, a quarter"), {fine.x, fine.r, fine.rho}, 0.5, 4, 3.2);
+    plot::Panel& profile = figure.at(0, 1).labels("$r$", "ρ").x_range(0, 0.5).y_range(0, 4.2);
+    draw_profile(profile, {fine.x, fine.r, fine.rho}, 0.5, signal.styled());
+    draw_profile(profile, {grid.x, grid.r, grid.rho}, 0.5, plane_grid());
+    const exact::Sedov exact{2, scene.gamma, 1, 1};
+    plot::draw_exact(profile, 0, 0.5, [&](double r) { return exact.at(r, fine.time).rho; }).style.layer = 2;
+    run.save(figure);
+}
+
+}  // namespace sph::shocks

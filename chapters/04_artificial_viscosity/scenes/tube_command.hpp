@@ -1,0 +1,38 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "chapters/04_artificial_viscosity/scenes/tube.hpp"
+
+/// The scene `tube` of the reader's own: two states, any method, and what may be turned at it.
+namespace sph::shocks {
+
+/// What a tube of some kind of gas has of its own.
+struct TubeKind {
+    const Methods<1>& methods;
+    TubeScene defaults;
+    app::Range gamma;                                      ///< allowed
+    std::function<TubeProblem(const TubeScene&)> problem;  ///< throws std::invalid_argument for what is none
+    std::function<report::Quantities(const TubeScene&, const TubeRun&)> more{};  ///< further rows
+};
+
+/// Leaves rows of results.csv, profile.csv (x,rho,v,p,u,exact_rho,exact_v,exact_p,exact_u) and the figure
+/// "tube".
+class TubeCommand {
+  public:
+    TubeCommand();  // of an ideal gas
+    explicit TubeCommand(TubeKind kind);
+    void declare(app::CommandLine& line);
+    void run(report::Run& run) const;
+
+  private:
+    TubeScene scene(const report::Run& run) const;
+
+    TubeKind kind_;
+    report::MethodOptions<Method<1>> method_;
+    std::vector<double> left_, right_;
+    double gamma_, time_, jitter_ = 0, courant_;
+    long particles_;
+};
+
+}  // namespace sph::shocks

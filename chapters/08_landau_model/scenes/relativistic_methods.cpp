@@ -1,0 +1,44 @@
+#include <stdexcept>
+
+#include "chapters/01_kernel_interpolation/any_kernel.hpp"
+#include "chapters/08_landau_model/relativistic_gas.hpp"
+#include "chapters/08_landau_model/scenes/relativistic_tube.hpp"
+
+namespace sph::landau {
+namespace {
+
+template <class Scheme>
+TubeMethod relativistic(const char* name, const char* label, const plot::Style& look, const char* kernel,
+                        double h_over_dx) {
+    constexpr double close = 1e-4;  // conservation does not hang on h: see chapter 4
+    using Resolution = ConsistentH<AnyKernel<1>, OfBaryons>;
+    const auto build = [](const TubeMethod& method,
+                          const shocks::Setup<1>& setup) -> std::unique_ptr<Simulation<1>> {
+        const IdealGas* state = setup.state.as<IdealGas>();
+        if (!state) throw std::invalid_argument{"the relativistic gas must be an ideal one"};
+        return std::make_unique<RelativisticGas<Resolution, Scheme, Box<1>>>(
+            setup.n, Resolution{HRule{method.h_over_dx}, close, AnyKernel<1>{method.kernel}}, *state,
+            with_parameters(Scheme{}, method.parameters), setup.box, setup.courant, setup.threads);
+    };
+    return {name, label, look, kernel, h_over_dx, parameters_of(Scheme{}), build};
+}
+
+plot::Style look(std::size_t colour, plot::Marker marker) {
+    return {.colour = plot::cycle(colour), .marker = marker};
+}
+
+}  // namespace
+
+const shocks::Methods<1>& relativistic_methods() {
+    using plot::Marker;
+    static const shocks::Methods<1> methods{
+        "reconstructed",
+        {relativistic<NoExchange>("none", "no dissipation", look(7, Marker::plus), "cubic", 1.2),
+         relativistic<ChowMonaghanExchange>("chow-monaghan", "Chow–Monaghan", look(1, Marker::square),
+                                            "cubic", 1.2),
+         relativistic<ReconstructedScheme>("reconstructed", "reconstructed", look(0, Marker::circle),
+                                           "quadratic", 1.0)}};
+    return methods;
+}
+
+}  // namespace sph::landau
