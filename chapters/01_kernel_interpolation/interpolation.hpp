@@ -162,8 +162,10 @@ class InterpolationWithin {
     std::size_t size() const noexcept { return particles_.size(); }
     Vector<d> position(std::size_t i) const { return load<d>(particles_, i, List<Position>{}).x; }
     /// Columns are named by the estimates: particles().value[i], particles().gradient[axis][i], ...
-    const Scene& particles() const noexcept { return particles_; }
-    const ConstantH<K>& smoothing() const noexcept { return smoothing_; }
+    const Scene& particles() const& noexcept { return particles_; }
+    void particles() && = delete;  // what it refers to would be gone
+    const ConstantH<K>& smoothing() const& noexcept { return smoothing_; }
+    void smoothing() && = delete;  // what it refers to would be gone
     /// Computes the listed estimates at every particle. Neighbours are looked for in each call.
     /// Cost: a search and a pass.
     const Scene& estimate() { return estimate(effects()); }

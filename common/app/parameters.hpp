@@ -20,7 +20,8 @@ class Parameters {
   public:
     /// The first of a name counts: a part that shares a parameter with an earlier one has its value.
     void add(const Parameter& parameter);
-    const std::vector<Parameter>& list() const noexcept { return list_; }
+    const std::vector<Parameter>& list() const& noexcept { return list_; }
+    void list() && = delete;  // what it refers to would be gone
     bool has(std::string_view name) const;
     /// Throws std::out_of_range naming one that is not there.
     double value(std::string_view name) const;

@@ -36,7 +36,8 @@ class Cells {
 
     std::size_t size() const noexcept { return order_.size(); }
     /// The original index of the k-th point in the sorted order.
-    std::span<const std::uint32_t> order() const noexcept { return order_; }
+    std::span<const std::uint32_t> order() const& noexcept { return order_; }
+    void order() && = delete;  // what it refers to would be gone
     Vector<d> position(std::size_t k) const {
         Vector<d> x;
         for (std::size_t a = 0; a < d; ++a) x[a] = x_[a][k];

@@ -22,7 +22,8 @@ class Groups {
     void hold(std::string name, std::size_t begin, std::size_t end);
     /// Throws std::out_of_range if there is none of that name.
     const Group& named(const std::string& name) const;
-    const std::vector<Group>& held() const noexcept { return held_; }
+    const std::vector<Group>& held() const& noexcept { return held_; }
+    void held() && = delete;  // what it refers to would be gone
 
     /// Calls visit(begin, end) for the ranges of free particles among the first n, in order.
     template <class Visit>

@@ -29,7 +29,8 @@ class NeighbourList {
         Vector<d> x;          ///< brought into the box
         double reach;
     };
-    std::span<const Receiver> receivers() const noexcept { return receivers_; }
+    std::span<const Receiver> receivers() const& noexcept { return receivers_; }
+    void receivers() && = delete;  // what it refers to would be gone
     /// How many points were searched, ghosts not counted.
     std::size_t searched() const noexcept { return count_; }
     /// Sorted indices of the neighbours of the r-th receiver, followed by the last one repeated up to a
@@ -58,7 +59,8 @@ class NeighbourList {
         return i < count_ ? nullptr : &ghosts_[i - count_];
     }
     std::size_t ghosts() const noexcept { return ghosts_.size(); }
-    const Cells<d>& cells() const noexcept { return cells_; }
+    const Cells<d>& cells() const& noexcept { return cells_; }
+    void cells() && = delete;  // what it refers to would be gone
     Support support() const noexcept { return support_; }
     double largest_reach() const noexcept { return largest_reach_; }
 

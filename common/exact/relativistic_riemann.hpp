@@ -67,8 +67,8 @@ class RelativisticRiemann {
     /// vacua.
     RelativisticRiemann(const State& left, const State& right, double gamma);
 
-    const Star& star() const noexcept { return star_; }
-    const Waves& waves() const noexcept { return waves_; }
+    Star star() const noexcept { return star_; }
+    Waves waves() const noexcept { return waves_; }
     /// The state at x/t = xi [velocity], any finite value: beyond +-1 nothing has happened; 0 in the vacuum.
     /// At a discontinuity the state on its right. Throws std::domain_error for xi that is not finite.
     Point at(double xi) const;

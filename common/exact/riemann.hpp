@@ -51,8 +51,8 @@ class Riemann {
     /// vacua.
     Riemann(const State& left, const State& right, double gamma);
 
-    const Star& star() const noexcept { return star_; }
-    const Waves& waves() const noexcept { return waves_; }
+    Star star() const noexcept { return star_; }
+    Waves waves() const noexcept { return waves_; }
     /// The state at x/t = xi [velocity], any finite value; 0 in the vacuum. At a discontinuity the state on
     /// its right.
     Point at(double xi) const;

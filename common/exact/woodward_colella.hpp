@@ -39,7 +39,8 @@ class WoodwardColella {
     Riemann::Point at(double x) const;
 
     std::size_t cells() const noexcept { return cells_; }
-    std::span<const Node> nodes() const noexcept { return nodes_; }
+    std::span<const Node> nodes() const& noexcept { return nodes_; }
+    void nodes() && = delete;  // what it refers to would be gone
     /// As few of the nodes as it takes for the straight lines between them to pass every other node within
     /// `tolerance` > 0, relative for rho and p, and for v of half its largest value.
     std::vector<Node> thinned(double tolerance) const;

@@ -21,7 +21,7 @@ class Occupancy {
     /// Fraction of the rectangle that is covered, 0..1, by weight. What lies outside the area counts as
     /// covered.
     double covered(const Rect& rect) const;
-    const Rect& area() const noexcept { return area_; }
+    Rect area() const noexcept { return area_; }
 
   private:
     static constexpr double cell_ = 4;  // pixels

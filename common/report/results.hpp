@@ -21,7 +21,8 @@ class Results {
     /// a number that was not measured must not look like one.
     void add(std::string scene, std::string method, long n, std::string quantity, double value,
              std::string unit = "1");
-    const std::vector<Row>& rows() const noexcept { return rows_; }
+    const std::vector<Row>& rows() const& noexcept { return rows_; }
+    void rows() && = delete;  // what it refers to would be gone
     /// The value of the only row that matches. Throws std::out_of_range naming the row if there is none, or
     /// more than one.
     double value(const std::string& scene, const std::string& method, long n,

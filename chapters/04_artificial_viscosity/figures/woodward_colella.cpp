@@ -9,7 +9,8 @@ namespace {
 
 void draw_reference(plot::Panel& rho, plot::Panel& v) {
     Column x, density, velocity;
-    for (const auto& node : exact::WoodwardColella{}.nodes()) {
+    const exact::WoodwardColella reference;
+    for (const auto& node : reference.nodes()) {
         x.push_back(node.x);
         density.push_back(node.rho);
         velocity.push_back(node.v);

@@ -14,7 +14,8 @@ class Csv {
     /// Also the place where a long table notices Ctrl-C: throws app::Interrupted.
     Csv& row(std::initializer_list<double> values);
 
-    const std::string& text() const noexcept { return text_; }
+    const std::string& text() const& noexcept { return text_; }
+    void text() && = delete;  // what it refers to would be gone
 
   private:
     std::string text_;

@@ -47,7 +47,8 @@ TEST_CASE("an effect's knobs are its parameters, with the values that it has") {
     CHECK(one.list()[0].value == 1.5);
     CHECK(one.list()[0].range.high == 10);
     CHECK(one.list()[1].meaning == "of the quadratic one");
-    CHECK(parameters_of(Plain{}).list().empty());
+    const auto none = parameters_of(Plain{});
+    CHECK(none.list().empty());
     const auto all = parameters_of(Dissipation{});
     std::string names;
     for (const auto& parameter : all.list()) names += parameter.name + " ";
