@@ -2,7 +2,7 @@
 #include "tests/bench/benches.hpp"
 
 int main(int argc, char** argv) {
-    report::Chapter benches{report::Place{"bench", "./tutorial bench", "bench", "README.md"},
+    report::Chapter benches{report::Place{"bench", "./tutorial bench", "bench", "tests/bench/README.md"},
                             "How fast are the parts, beside the plain way to write them?", "none"};
     benches
         .timed_figure("kernels", "nanoseconds a pair of every kernel, and of the cubic spline in five forms",

@@ -113,6 +113,7 @@ TEST_CASE("the top level holds what the README says and nothing else") {
     const std::vector<std::string> allowed{"CMakeLists.txt",
                                            "CMakePresets.json",
                                            "CONTRIBUTING.md",
+                                           "CHANGELOG.md",
                                            "CITATION.cff",
                                            "LICENSE",
                                            "README.md",
