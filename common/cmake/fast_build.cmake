@@ -1,5 +1,5 @@
 # Headers that many files read, read once, and small files compiled together: half of the build's time. A file still
-# names what it includes; the debug preset builds without, and shows where one does not.
+# names what it includes; clang-tidy in .ci/run reads it by itself, and shows where one does not.
 option(SPH_FAST_BUILD "Precompile common headers and compile small files together" ON)
 
 set(precompiled_std <algorithm> <array> <cmath> <cstddef> <cstdint> <filesystem> <functional> <limits> <map> <memory>

@@ -30,7 +30,7 @@ inline Style line(Style look) {
 
 /// The exact solution f as a line over [low, high].
 template <class F>
-Curve& draw_exact(Panel& panel, double low, double high, F&& f, Style look = exact()) {
+Curve& draw_exact(Panel& panel, double low, double high, F&& f, const Style& look = exact()) {
     constexpr int points = 201;
     Values x, y;
     for (int k = 0; k < points; ++k) {

@@ -54,7 +54,8 @@ class Run {
     virtual std::function<void(double share)> progress() = 0;
 
     /// The first if quick, else the second.
-    std::vector<std::size_t> sizes(std::vector<std::size_t> few, std::vector<std::size_t> all) const {
+    std::vector<std::size_t> sizes(const std::vector<std::size_t>& few,
+                                   const std::vector<std::size_t>& all) const {
         return quick() ? few : all;
     }
     /// The rows of one run of a method.

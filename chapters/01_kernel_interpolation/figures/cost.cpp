@@ -101,6 +101,7 @@ std::string most_accurate(const Samples& samples) {
     for (const Sample& s : samples) {
         if (!s.is_difference() && (best == nullptr || s.error < best->error)) best = &s;
     }
+    if (best == nullptr) return "none";
     return "**" + report::number(best->error, 2) + "** " + described(*best);
 }
 
