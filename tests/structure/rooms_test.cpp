@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/structure/tracked.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -16,7 +18,9 @@ const fs::path root{SPH_SOURCE_DIR};
 
 std::vector<fs::path> chapters() {
     std::vector<fs::path> found;
-    for (const auto& entry : fs::directory_iterator{root / "chapters"}) found.push_back(entry.path());
+    for (const auto& entry : fs::directory_iterator{root / "chapters"}) {
+        if (structure::is_ours(entry.path(), true)) found.push_back(entry.path());
+    }
     return found;
 }
 std::string read(const fs::path& path) {
@@ -93,6 +97,7 @@ TEST_CASE("a chapter's top holds what is taught: headers, text, program, and at 
         int files = 0;
         for (const auto& entry : fs::directory_iterator{chapter}) {
             const std::string name = entry.path().filename().string();
+            if (!structure::is_ours(entry.path(), true)) continue;
             INFO(name);
             if (entry.is_directory()) {
                 CHECK((name == "scenes" || name == "figures"));
@@ -119,16 +124,19 @@ TEST_CASE("physics stands in sph, scenes and figures in a namespace of their cha
     }
 }
 
-TEST_CASE("each figure stands in a file of its name, and draws only") {
+TEST_CASE("each figure stands in a file of its name, draws only, and is shown in the text") {
     int figures = 0;
     for (const fs::path& chapter : chapters()) {
-        const std::string main = read(chapter / "main.cpp");
+        const std::string main = read(chapter / "main.cpp"), text = read(chapter / "README.md");
         const std::regex declared{R"re(figure\("([a-z0-9-]+)")re"};
         for (std::sregex_iterator match{main.begin(), main.end(), declared}, end; match != end; ++match) {
             std::string file = (*match)[1].str() + ".cpp";
             std::replace(file.begin(), file.end(), '-', '_');
             INFO(chapter << ": " << file);
             CHECK(fs::exists(chapter / "figures" / file));
+            const std::string picture = chapter.filename().string() + "/" + (*match)[1].str() + ".png";
+            CHECK(fs::exists(root / "renders" / picture));
+            CHECK(text.find("renders/" + picture) != std::string::npos);
             ++figures;
         }
         for_each_source(chapter / "figures", [&](const fs::path& path) {

@@ -7,8 +7,10 @@
 namespace sph::shocks {
 namespace {
 
+constexpr long most_steps = 6000;
+
 HardCase tube(const std::string& name, TubeScene scene) {
-    scene.most_steps = 6000;
+    scene.most_steps = most_steps;
     return {name, [scene](const Method<1>& method, std::size_t n, const Disorder& disorder, int threads) {
                 TubeScene one = scene;
                 one.n = n, one.jitter = disorder.jitter, one.seed = disorder.seed, one.threads = threads;
@@ -17,7 +19,12 @@ HardCase tube(const std::string& name, TubeScene scene) {
 }
 
 void blast_waves(const Method<1>& method, std::size_t n, const Disorder& disorder, int threads) {
-    run_blast_waves({.n = n, .jitter = disorder.jitter, .seed = disorder.seed, .threads = threads}, method);
+    run_blast_waves({.n = n,
+                     .jitter = disorder.jitter,
+                     .seed = disorder.seed,
+                     .threads = threads,
+                     .most_steps = most_steps},
+                    method);
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ TubeRun run_blast_waves(const BlastWaves& scene, const Method<1>& method) {
     const Column& x = gas->get<Position>()[0];
     double t = 0;
     TubeRun run;
-    run.seconds = march(*gas, t, {.end = exact::WoodwardColella::time}, [&](double now) {
-                      require_order(x, now);
-                  }).seconds;
+    run.seconds = march(*gas, t, {.end = exact::WoodwardColella::time, .most_steps = scene.most_steps},
+                        [&](double now) { require_order(x, now); })
+                      .seconds;
     gas->resolve(t);
     run.energy_drift = std::abs(gas->totals().energy / energy - 1);
     run.counters = gas->counters();

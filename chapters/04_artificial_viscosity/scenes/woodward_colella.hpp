@@ -11,6 +11,7 @@ struct BlastWaves {
     unsigned long seed = 1;
     double courant = 0.45;
     int threads = 1;
+    long most_steps = std::numeric_limits<long>::max();  ///< a run that needs more is stopped as unstable
 };
 double blast_waves_pressure(double x);
 
