@@ -127,7 +127,9 @@ struct ChowMonaghan {
 /// with the signals of the laboratory: moving gas is contracted and its clocks are slow, so that its v_sig is
 /// 1/lorentz^2 of that at rest. A jump dy about the mean rapidity y exchanges
 ///     momentum  2 h sinh(dy/2) cosh y,   energy  2 h sinh(dy/2) sinh y,   h the mean enthalpy:
-/// in the mean rest frame of the pair a momentum, and no energy.
+/// in the mean rest frame of the pair a momentum, and no energy. That moves the lighter of the two by
+/// h/min(h_i, h_j) times the rate at which it would move its equal, and by this the step is limited: a light
+/// particle beside hot gas would else be thrown to and fro until it has lost its heat.
 struct ReconstructedExchange {
     static constexpr double largest_jump = 50;
     double K = 0.85;
@@ -136,7 +138,7 @@ struct ReconstructedExchange {
     }
     using Reads = List<Velocity, Rapidity, RapidityGradient, SoundSpeed, BaryonDensity, Enthalpy>;
     using ReadsJ = List<Mass>;
-    using Adds = List<MomentumRate, EnergyRate>;
+    using Adds = List<MomentumRate, EnergyRate, StepRate>;
     void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
         const Tile n = pair.x_ij[0] / pair.r.max(std::numeric_limits<double>::min());
         const Tile w = n * (i.y - j.y), c = 0.5 * (i.c_s + j.c_s);
@@ -144,8 +146,12 @@ struct ReconstructedExchange {
         // Bounded: lanes behind the last neighbour are far away, and 0 times infinity is no weight.
         const Tile half = (0.5 * (w - pair.r * slope)).min(0.0).max(-largest_jump), y = 0.5 * (i.y + j.y);
         const Tile jump = half.exp() - (-half).exp(), e = y.exp();
-        const Tile weight = K * j.m * LabSignals{i, j}.spread() / (0.5 * (i.n_star + j.n_star)) * pair.r *
-                            mean_F(pair) * jump * n * (0.5 * (i.h_enthalpy + j.h_enthalpy));
+        const Tile enthalpy = 0.5 * (i.h_enthalpy + j.h_enthalpy);
+        const Tile rate =
+            K * j.m * LabSignals{i, j}.spread() / (0.5 * (i.n_star + j.n_star)) * pair.r * mean_F(pair);
+        const Tile weight = rate * jump * n * enthalpy;
+        const Tile share = half / (0.5 * w).min(half).min(-std::numeric_limits<double>::min());
+        sum.step_rate = sum.step_rate.max(-rate * share * enthalpy / j.h_enthalpy.min(i.h_enthalpy));
         sum.dq_dt[0] += weight * 0.5 * (e + 1.0 / e);
         sum.dE_dt += weight * 0.5 * (e - 1.0 / e);
     }

@@ -14,7 +14,7 @@ struct StepControl {
     /// stepper allows.
     long steps = 0;
     long most_steps = std::numeric_limits<long>::max();  ///< a run that needs more is stopped as unstable
-    int most_retries = 20;                               ///< of one step, each with half the length
+    int most_retries = 60;                               ///< of one step, each with half the length
     std::function<void(double share)> progress{};        ///< told after each step how much of the way is done
 };
 

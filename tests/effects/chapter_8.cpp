@@ -22,7 +22,8 @@ std::vector<Subject> chapter_8() {
                      {symmetric_in_one_kernel(lab_volume, uphill_p)}),
         of_gradients(GradHWork{}, {antisymmetric(mass, nothing)}),
         of_gradients<1>(ChowMonaghan{}, {antisymmetric(mass, more_q), antisymmetric(mass, more_E)}),
-        of_gradients<1>(ReconstructedExchange{}, {pushes, antisymmetric(mass, nothing)}),
+        of_gradients<1>(ReconstructedExchange{},
+                        {pushes, antisymmetric(mass, nothing), symmetric(mass, positive)}),
         of_gradients<1>(ContactConduction{}, {antisymmetric(mass, nothing), antisymmetric(mass, more_u)}),
         of_gradients<1>(LabSignalRate{}, {symmetric(one, positive)}),
     };
