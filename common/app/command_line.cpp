@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
@@ -73,6 +74,13 @@ struct CommandLine::Implementation {
         for (const auto& command : commands) names.push_back(command->self_->app->get_name());
         return names;
     }
+    /// "-h-over-dx", which CLI11 would read as -h and whatever follows. Not "-1,0,1", "-inf" and "-h".
+    static bool is_long_option_with_one_dash(const std::string& word) {
+        const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+        return word.size() > 2 && word[0] == '-' && letter(word[1]) && !word.starts_with("-inf") &&
+               !word.starts_with("-nan");
+    }
+    [[noreturn]] void refuse_word(const std::string& word) const;
     void refuse_extras() const;
     void read_values() const;
     void read_value(const Option& option) const;
@@ -80,8 +88,11 @@ struct CommandLine::Implementation {
 
 void CommandLine::Implementation::refuse_extras() const {
     const auto extras = app->remaining(false);
-    if (extras.empty()) return;
-    const std::string word = extras.front().substr(0, extras.front().find('='));
+    if (!extras.empty()) refuse_word(extras.front());
+}
+
+void CommandLine::Implementation::refuse_word(const std::string& given) const {
+    const std::string word = given.substr(0, given.find('='));
     const bool is_option = word.size() > 1 && word[0] == '-';
     std::vector<std::string> known =
         is_option ? std::vector<std::string>{"help", "version"} : command_names();
@@ -271,6 +282,7 @@ bool CommandLine::parse(int argc, const char* const* argv) {
         // CLI11 would take the next word for the value.
         if (word.size() > 3 && word.starts_with("--") && word.find('=') == word.size() - 1)
             throw UsageError{word.substr(0, word.size() - 1) + ": a value is missing"};
+        if (self_->is_long_option_with_one_dash(word)) self_->refuse_word(word);
         words.push_back(word);
     }
     try {

@@ -83,7 +83,13 @@ template <class T>
 std::string shortest(T value) {
     char buffer[64];
     const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
-    return {buffer, result.ptr};
+    std::string text{buffer, result.ptr};
+    if (const std::size_t e = text.find('e'); e != std::string::npos) {  // 1e6 and 1e-6, not 1e+06 and 1e-06
+        if (text[e + 1] == '+') text.erase(e + 1, 1);
+        const std::size_t digits = e + (text[e + 1] == '-' ? 2 : 1);
+        text.erase(digits, text.find_first_not_of('0', digits) - digits);
+    }
+    return text;
 }
 
 std::size_t letters(std::string_view utf8) {
@@ -93,9 +99,24 @@ std::size_t letters(std::string_view utf8) {
 
 }  // namespace
 
+namespace {
+
+/// A number, or the fraction of two: 5/3.
+std::from_chars_result read_fraction(std::string_view word, double& value) {
+    const std::size_t slash = word.find('/');
+    auto result = read(word.substr(0, slash), value);
+    if (slash == std::string_view::npos || result.ec != std::errc{}) return result;
+    double below = 1;
+    result = read(word.substr(slash + 1), below);
+    value /= below;
+    return result;
+}
+
+}  // namespace
+
 double parse_number(const std::string& option, std::string_view word, const Range& range) {
     double value = 0;
-    const auto result = read(word, value);
+    const auto result = read_fraction(word, value);
     if (result.ec == std::errc::result_out_of_range)
         refuse(option, word, "is too large or too small for a number", range.text());
     if (result.ec != std::errc{}) refuse(option, word, "is not a number", range.text());

@@ -12,7 +12,7 @@ constexpr const char* problem = "point blast";
 
 void require_scale(const char* what, double value) {
     require(value >= Sedov::least_scale && value <= Sedov::largest_scale, problem, what, value,
-            "1e-50..1e50");
+            "1e-60..1e60");
 }
 
 /// Of the unit sphere: two points, a circle, a sphere.

@@ -22,7 +22,7 @@ namespace exact {
 /// Cost: 30 microseconds, and half a microsecond for each place.
 class Sedov {
   public:
-    static constexpr double least_scale = 1e-50, largest_scale = 1e50;  ///< of energy, density and time
+    static constexpr double least_scale = 1e-60, largest_scale = 1e60;  ///< of energy, density and time
 
     /// dimension d = 1, 2 or 3; gamma in 1.001..100, and below 7 for d = 3, from where on a vacuum opens at
     /// the centre; energy E [mass length^2/time^2] and density rho0 [mass/length^d] in

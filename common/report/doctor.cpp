@@ -23,8 +23,10 @@ const char* simd() {
 
 }  // namespace
 
-int main() {
-    return app::run([] {
+int main(int argc, char** argv) {
+    return app::run([&] {
+        app::CommandLine line_of_words{"doctor", "What this build draws with and computes with."};
+        if (!line_of_words.parse(argc, argv)) return;
         const plot::Studio studio;
         std::string text;
         const auto line = [&](std::string name, const std::string& value) {

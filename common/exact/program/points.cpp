@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/app/error.hpp"
+#include "common/app/option_text.hpp"
 
 namespace exact::program {
 
@@ -27,7 +28,7 @@ std::vector<double> Points::values(const app::CommandLine& command) const {
     if (!counted)
         throw app::UsageError{list_option + ": missing; give it a list, or --points N --window a,b"};
     if (!(window_[0] < window_[1]))
-        throw app::UsageError{"--window: " + std::to_string(window_[0]) + "," + std::to_string(window_[1]) +
+        throw app::UsageError{"--window: " + app::option_text::shown(window_) +
                               " is not allowed; allowed: a,b with a < b"};
     std::vector<double> points;
     for (long k = 0; k < count_; ++k) {

@@ -38,8 +38,8 @@ TEST_CASE("exact landau: header and states") {
 TEST_CASE("exact landau: bad usage is one line that names the mistake, status 2") {
     check_refused({
         {"landau", "--x", "--points"},
-        {"landau --x 0 --time -1", "--time: -1", "0..1e+06"},
-        {"landau --x 0 --time 1000001", "--time: 1000001", "0..1e+06"},
+        {"landau --x 0 --time -1", "--time: -1", "0..1e6"},
+        {"landau --x 0 --time 1000001", "--time: 1000001", "0..1e6"},
         {"landau --x 0 --time nan", "--time", "nan"},
         {"landau --x inf", "--x", "inf"},
         {"landau --points 3 --window 1,0", "--window", "a < b"},

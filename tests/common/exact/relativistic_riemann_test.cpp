@@ -235,7 +235,7 @@ TEST_CASE("exact relativistic-riemann: header, columns, defaults and refusals") 
          "1e-100 and above, and 0"},
         {"relativistic-riemann --x 0 --right 1,0,-2", "--right: pressure -2 ", "0 and above"},
         {"relativistic-riemann --x 0 --right 0,0,1", "--right: pressure 1 ", "vacuum"},
-        {"relativistic-riemann --x 0 --right 1,0,1e101", "--right", "1e+100"},
+        {"relativistic-riemann --x 0 --right 1,0,1e101", "--right", "1e100"},
         {"relativistic-riemann --x 0 --right 1,0,nan", "--right", "nan"},
         {"relativistic-riemann --x 0 --left 0,0,0 --right 0,0,0", "--right: density 0 ", "vacuum"},
         {"relativistic-riemann --x 0 --gamma 1", "--gamma", "<= 2"},

@@ -246,9 +246,9 @@ TEST_CASE("Sedov: the centre, and extremes") {
     for (const int d : {1, 2, 3}) {
         for (const double gamma : {1.001, 1.01, 2.0, 6.99, 100.0}) {
             if (d == 3 && gamma > 7) continue;
-            for (const auto& [energy, density] : {std::pair{1e-50, 1e50}, {1.0, 1.0}, {1e50, 1e-50}}) {
+            for (const auto& [energy, density] : {std::pair{1e-60, 1e60}, {1.0, 1.0}, {1e60, 1e-60}}) {
                 const Sedov extreme{d, gamma, energy, density};
-                for (const double t : {1e-50, 1.0, 1e50}) {
+                for (const double t : {1e-60, 1.0, 1e60}) {
                     for (const double part : {0.0, 1e-300, 1e-9, 0.5, 0.999, 1.0, 2.0}) {
                         const auto [rho, v, p, u] = extreme.at(part * extreme.shock_radius(t), t);
                         CAPTURE(d, gamma, energy, density, t, part);
@@ -282,7 +282,7 @@ TEST_CASE("Sedov: what lies outside the range is named") {
     CHECK_THAT(message_of([&] { blast.at(1, 0); }), Catch::Contains("time = 0"));
     CHECK_THAT(message_of([&] { blast.shock_radius(nan); }), Catch::Contains("time"));
     CHECK_THAT(message_of([&] { blast.shock_speed(-1); }), Catch::Contains("time = -1"));
-    CHECK_THAT(message_of([&] { blast.post_shock(1e51); }), Catch::Contains("time"));
+    CHECK_THAT(message_of([&] { blast.post_shock(1e61); }), Catch::Contains("time"));
     CHECK_THAT(message_of([] { SedovProfile(2, 1.4).at(1.5); }), Catch::Contains("lambda = 1.5"));
     CHECK_THAT(message_of([&] { SedovProfile(2, 1.4).at(nan); }), Catch::Contains("lambda"));
 }

@@ -36,7 +36,7 @@ TEST_CASE("a figure without faults has none") {
     figure.at(0, 0).vectors({.x = {1}, .y = {1}, .u = {0}, .v = {0}});
     figure.at(0, 0).note(0.1, 0.9, "note").relative = true;
     figure.at(0, 1).slope(2, 1, 3, 1, "order 2");
-    CHECK(faults(figure) == std::vector<std::string>{});
+    CHECK(faults(figure).empty());
 }
 
 TEST_CASE("each fault is found, alone, and names its place") {
