@@ -1,25 +1,16 @@
 // What a chapter may cost to compile. Each different pass over the neighbours is a loop of its own, with all
 // of its effects inlined: the compiler's time goes there. So a chapter may have forty of them.
-#include <array>
 #include <catch2/catch.hpp>
-#include <cstdio>
-#include <memory>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
 
+#include "tests/structure/tracked.hpp"
+
 namespace {
 
-std::string output_of(const std::string& command) {
-    const std::unique_ptr<FILE, int (*)(FILE*)> pipe{popen(command.c_str(), "r"), pclose};
-    REQUIRE(pipe);
-    std::string text;
-    std::array<char, 4096> part{};
-    while (const std::size_t count = std::fread(part.data(), 1, part.size(), pipe.get()))
-        text.append(part.data(), count);
-    return text;
-}
+using structure::output_of;
 
 /// The passes that a list of symbols names, as nm prints them.
 std::set<std::string> passes_of(const std::string& symbols) {

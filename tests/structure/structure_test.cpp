@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/structure/tracked.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,6 +131,7 @@ TEST_CASE("the top level holds what the README says and nothing else") {
                                            ".gitignore",
                                            "build"};
     for (const auto& entry : fs::directory_iterator{root}) {
+        if (!structure::is_ours(entry.path(), false)) continue;
         INFO(entry.path().filename());
         CHECK(std::find(allowed.begin(), allowed.end(), entry.path().filename()) != allowed.end());
     }
@@ -142,6 +145,7 @@ TEST_CASE("the top level holds what the README says and nothing else") {
 
 TEST_CASE("every chapter has its text, its program and its renders") {
     for (const auto& entry : fs::directory_iterator{root / "chapters"}) {
+        if (!structure::is_ours(entry.path(), true)) continue;
         const std::string name = entry.path().filename().string();
         INFO(name);
         CHECK(std::regex_match(name, std::regex{"[0-9]{2}_[a-z_]+"}));
@@ -173,10 +177,12 @@ std::vector<std::string> links_of(std::istream& text) {
 
 TEST_CASE("links and pictures in the texts exist") {
     int links = 0;
-    for (const auto& entry : fs::recursive_directory_iterator{root}) {
+    const auto passing_by = fs::directory_options::skip_permission_denied;
+    for (const auto& entry : fs::recursive_directory_iterator{root, passing_by}) {
         const std::string path = fs::relative(entry.path(), root).generic_string();
         if (entry.path().extension() != ".md" || starts_with(path, "build/") || starts_with(path, ".git/"))
             continue;
+        if (!structure::is_ours(entry.path(), true)) continue;
         std::ifstream stream{entry.path()};
         for (const std::string& target : links_of(stream)) {
             INFO(path << " links to " << target);
