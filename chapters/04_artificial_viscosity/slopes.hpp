@@ -58,8 +58,9 @@ struct GradientOf {
     using Uses =
         List<typename Of::template Counted<SlopeMatrix>, typename Of::template Counted<SlopeSum<Quantity>>>;
     using Writes = List<Self>;
-    void finish(const auto&, const auto& sum, auto& out) const {
-        constexpr int d = static_cast<int>(sum.M.size());
+    template <class Sum>
+    void finish(const auto&, const Sum& sum, auto& out) const {
+        constexpr int d = static_cast<int>(decltype(Sum::M)::size());
         const auto& S = member<SlopeSum<Quantity>, double, d>(sum);
         auto& gradient = member<Self, double, d>(out);
         if constexpr (std::is_same_v<std::decay_t<decltype(S)>, Vector<d>>) {

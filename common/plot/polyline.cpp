@@ -34,7 +34,7 @@ std::optional<LineSegment> clipped(const LineSegment& segment, const Rect& rect)
         }
     }
     if (enter > leave) return std::nullopt;
-    const auto at = [&](double t) { return Point{a.x + t * dx, a.y + t * dy}; };
+    const auto at = [&, &from = a](double t) { return Point{from.x + t * dx, from.y + t * dy}; };
     return LineSegment{enter > 0 ? at(enter) : a, leave < 1 ? at(leave) : b};
 }
 

@@ -264,11 +264,12 @@ Place Place::of_chapter(const std::string& folder) {
             std::filesystem::path{"chapters"} / folder / "README.md"};
 }
 
-Chapter::Chapter(Place place, std::string title, std::string revision, std::filesystem::path root)
+Chapter::Chapter(Place place, const std::string& title, std::string revision, std::filesystem::path root)
     : self_{std::make_unique<Implementation>(std::move(place), title, std::move(revision), std::move(root))} {
 }
-Chapter::Chapter(std::string folder, std::string title, std::string revision, std::filesystem::path root)
-    : Chapter{Place::of_chapter(folder), std::move(title), std::move(revision), std::move(root)} {}
+Chapter::Chapter(const std::string& folder, const std::string& title, std::string revision,
+                 std::filesystem::path root)
+    : Chapter{Place::of_chapter(folder), title, std::move(revision), std::move(root)} {}
 Chapter::~Chapter() = default;
 Chapter::Chapter(Chapter&&) noexcept = default;
 Chapter& Chapter::operator=(Chapter&&) noexcept = default;

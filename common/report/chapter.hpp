@@ -106,10 +106,10 @@ class Chapter {
     /// `folder` names the chapter ("01_kernel_interpolation"), `title` is shown by --help,
     /// `revision` identifies the source (a generated constant of the build), `root` is where renders/, build/
     /// and chapters/ lie.
-    Chapter(std::string folder, std::string title, std::string revision,
+    Chapter(const std::string& folder, const std::string& title, std::string revision,
             std::filesystem::path root = app::project_root());
     /// The same for figures that belong to no chapter.
-    Chapter(Place place, std::string title, std::string revision,
+    Chapter(Place place, const std::string& title, std::string revision,
             std::filesystem::path root = app::project_root());
     ~Chapter();
     Chapter(Chapter&&) noexcept;
