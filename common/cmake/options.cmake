@@ -12,6 +12,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
     target_compile_options(project_options INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict
                                                      -Wno-stringop-overflow)
 endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    target_compile_options(project_options INTERFACE -Wno-unknown-pragmas) # GCC ivdep
+endif()
 # No -ffast-math: checks for NaN must work. These two are safe and let loops with square roots and
 # comparisons be vectorised.
 target_compile_options(project_options INTERFACE -fno-math-errno -fno-trapping-math)

@@ -103,7 +103,8 @@ void FiniteVolume2D::predict(std::size_t j, double dt) {
             p[i] - half_x * (vx[i] * dx + gamma * p[i] * bx) - half_y * (vy[i] * dy + gamma * p[i] * cy);
         const double lowest_a = a - hllc::larger(std::abs(ax), std::abs(ay)) / 2;
         const double lowest_d = d - hllc::larger(std::abs(dx), std::abs(dy)) / 2;
-        const double keep = (lowest_a > steps::least * rho[i]) & (lowest_d > steps::least * p[i]) ? 0.5 : 0;
+        const double keep =
+            hllc::both(lowest_a > steps::least * rho[i], lowest_d > steps::least * p[i]) ? 0.5 : 0;
         a = keep > 0 ? a : rho[i], b = keep > 0 ? b : vx[i], c = keep > 0 ? c : vy[i],
         d = keep > 0 ? d : p[i];
         w_rho[i] = a - keep * ax, w_n[i] = b - keep * bx, w_t[i] = c - keep * cx, w_p[i] = d - keep * dx;
@@ -112,8 +113,8 @@ void FiniteVolume2D::predict(std::size_t j, double dt) {
         n_rho[i] = a + keep * ay, n_n[i] = c + keep * cy, n_t[i] = b + keep * by, n_p[i] = d + keep * dy;
         const double step_x = std::abs(p[i + 1] - p[i - 1]), low_x = hllc::smaller(p[i + 1], p[i - 1]);
         const double step_y = std::abs(p[i + up] - p[i - up]), low_y = hllc::smaller(p[i + up], p[i - up]);
-        shock_x[i] = (step_x > strong * low_x) & (vx[i - 1] > vx[i + 1]) ? 1 : 0;
-        shock_y[i] = (step_y > strong * low_y) & (vy[i - up] > vy[i + up]) ? 1 : 0;
+        shock_x[i] = hllc::both(step_x > strong * low_x, vx[i - 1] > vx[i + 1]) ? 1 : 0;
+        shock_y[i] = hllc::both(step_y > strong * low_y, vy[i - up] > vy[i + up]) ? 1 : 0;
     }
 }
 

@@ -24,7 +24,7 @@ void FiniteVolume::predict(const InFrame& frame, double dt) {
         const double half = dt / 2 / width[i];
         const double a_mid = q.a + half * rate.a, b_mid = q.b + half * rate.b, c_mid = q.c + half * rate.c;
         const double lowest_a = a_mid - std::abs(dq.a) / 2, lowest_c = c_mid - std::abs(dq.c) / 2;
-        const bool keep = (lowest_a > steps::least * q.a) & (lowest_c > steps::least * q.c);
+        const bool keep = hllc::both(lowest_a > steps::least * q.a, lowest_c > steps::least * q.c);
         wa[i] = keep ? a_mid - dq.a / 2 : q.a;
         wb[i] = keep ? b_mid - dq.b / 2 : q.b;
         wc[i] = keep ? c_mid - dq.c / 2 : q.c;

@@ -28,6 +28,10 @@ inline double smaller(double a, double b) {
 inline double larger(double a, double b) {
     return a > b ? a : b;
 }
+/// Both are computed, so that there is no branch.
+inline bool both(bool a, bool b) {
+    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
+}
 
 /// The waves between two states:
 ///     S_L = min(v_L - c_L, v~ - c~),   S_R = max(v_R + c_R, v~ + c~)    with Roe's averages v~, c~,

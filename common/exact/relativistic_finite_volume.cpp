@@ -116,8 +116,8 @@ void RelativisticFiniteVolume<Fluid>::weigh_slopes() {
     for (std::size_t i = 1; i < n_ + 2 * ghosts - 1; ++i) {
         const double before = fluid_.pressure(load(q, i - 1)), after = fluid_.pressure(load(q, i + 1));
         const bool jump = std::abs(after - before) > strong * hllc::smaller(before, after);
-        const bool converging = (q[0][i - 1] > q[0][i]) & (q[0][i] > q[0][i + 1]);
-        order[i] = (jump & converging) ? 0 : 1;
+        const bool converging = hllc::both(q[0][i - 1] > q[0][i], q[0][i] > q[0][i + 1]);
+        order[i] = hllc::both(jump, converging) ? 0 : 1;
     }
 }
 

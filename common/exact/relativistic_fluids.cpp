@@ -42,7 +42,7 @@ void improve(Search& s, std::size_t n, double gamma) {
         const double h = 1 + gamma * u, excess = z * h - r, slope = h + gamma * z * du_dz;
         const double low = excess > 0 ? s.low[i] : z, high = excess > 0 ? z : s.high[i];
         const double newton = z - excess / slope;
-        const double next = ((newton >= low) & (newton <= high)) ? newton : (low + high) / 2;
+        const double next = hllc::both(newton >= low, newton <= high) ? newton : (low + high) / 2;
         s.open[i] = std::abs(next - z) > close * z ? 1 : 0;
         s.low[i] = low, s.high[i] = high, s.z[i] = next;
     }
@@ -57,7 +57,7 @@ void finish(const Search& s, std::size_t n, double gamma, const RelativisticGas:
         const double z = s.z[i], e = s.e[i], r = s.r[i], lorentz = std::sqrt(1 + z * z);
         const double u = lorentz * e - z * r + z * z / (1 + lorentz);
         const double without_heat = r * r / (1 + std::sqrt(1 + r * r));  // the least e: sqrt(1 + r^2) - 1
-        const bool physical = (mass[i] > 0) & (e > without_heat * (1 - tolerance));
+        const bool physical = hllc::both(mass[i] > 0, e > without_heat * (1 - tolerance));
         const double density = mass[i] / lorentz;
         four_velocity[i] = momentum[i] < 0 ? -z : z;
         rho[i] = density;
@@ -107,7 +107,7 @@ void BaryonFreeFluid::recover(std::size_t n, const Columns& u, const Results& q)
         const double square = (e - m) * (e + m);
         const double eps = 2 * square / (b + std::sqrt(b * b + 4 * c2 * square));
         four_velocity[i] = m / std::sqrt((e + c2 * eps) * (1 + c2) * eps);
-        root[i] = ((e > 0) & (eps > 0)) ? std::sqrt(std::sqrt(eps)) : -1;
+        root[i] = hllc::both(e > 0, eps > 0) ? std::sqrt(std::sqrt(eps)) : -1;
     }
 }
 

@@ -80,7 +80,7 @@ inline RelativisticGas::Values flux(const Side<RelativisticGas>& l, const Side<R
 
     // Where all waves run to one side, as at large W, v* may be 0/0 and does not matter.
     const bool to_right = waves.left > face, to_left = waves.right < face;
-    const bool from_left = to_right | (!to_left & (star.v > face));
+    const bool from_left = to_right || hllc::both(!to_left, star.v > face);
     const Side<RelativisticGas> k = choose(from_left, l, r);
     const double speed = from_left ? waves.left : waves.right, scale = 1 / (speed - star.v);
     star.p = ((from_left ? a_l : a_r) * star.v - (from_left ? b_l : b_r)) / (1 - speed * star.v);

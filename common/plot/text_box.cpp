@@ -70,9 +70,9 @@ std::vector<std::string> wrapped(const std::string& text, double size, double wi
     return lines;
 }
 
-bool overlap(const Rect& a, const Rect& b, double gap) {
-    return a.left < b.right + gap && b.left < a.right + gap && a.top < b.bottom + gap &&
-           b.top < a.bottom + gap;
+bool overlap(const Rect& a, const Rect& b, double apart) {
+    return a.left < b.right + apart && b.left < a.right + apart && a.top < b.bottom + apart &&
+           b.top < a.bottom + apart;
 }
 
 Rect united(const Rect& a, const Rect& b) {

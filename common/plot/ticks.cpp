@@ -150,7 +150,7 @@ Ticks part_of_decade_ticks(const Range& range, int most) {
     for (const auto& mantissas : sets) {
         const Values values = decade_multiples(range, mantissas);
         // all nine would crowd at the end of a decade: only for a range that holds few of them
-        const std::size_t limit = mantissas.size() == 9 ? std::min(most, 5) : most;
+        const std::size_t limit = static_cast<std::size_t>(mantissas.size() == 9 ? std::min(most, 5) : most);
         if (values.size() < 3 || values.size() > limit + 1) continue;
         for (const double value : values) ticks.major.push_back({value, ""});
         break;

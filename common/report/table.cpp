@@ -37,7 +37,7 @@ std::string padded(const std::string& cell, std::size_t width, bool right) {
 
 }  // namespace
 
-Table::Table(std::vector<std::string> header) : header_{std::move(header)} {
+Table::Table(std::vector<std::string> names) : header_{std::move(names)} {
     if (header_.empty()) throw std::invalid_argument{"table: no columns"};
     for (auto& cell : header_) cell = escaped(cell);
 }
