@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
@@ -74,22 +73,10 @@ struct CommandLine::Implementation {
         for (const auto& command : commands) names.push_back(command->self_->app->get_name());
         return names;
     }
-    /// "-h-over-dx", which CLI11 would read as -h and whatever follows. Not "-1,0,1", "-inf" and "-h".
-    static bool is_long_option_with_one_dash(const std::string& word) {
-        const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-        return word.size() > 2 && word[0] == '-' && letter(word[1]) && !word.starts_with("-inf") &&
-               !word.starts_with("-nan");
-    }
     [[noreturn]] void refuse_word(const std::string& word) const;
-    void refuse_extras() const;
     void read_values() const;
     void read_value(const Option& option) const;
 };
-
-void CommandLine::Implementation::refuse_extras() const {
-    const auto extras = app->remaining(false);
-    if (!extras.empty()) refuse_word(extras.front());
-}
 
 void CommandLine::Implementation::refuse_word(const std::string& given) const {
     const std::string word = given.substr(0, given.find('='));
@@ -103,7 +90,7 @@ void CommandLine::Implementation::refuse_word(const std::string& given) const {
 
 void CommandLine::Implementation::read_values() const {
     for (const auto& option : options) read_value(option);
-    refuse_extras();
+    if (const auto extras = app->remaining(false); !extras.empty()) refuse_word(extras.front());
     if (commands.empty()) return;
     const CommandLine* command = chosen();
     if (!command) throw UsageError{"a command is missing; known: " + option_text::joined(command_names())};
@@ -280,9 +267,9 @@ bool CommandLine::parse(int argc, const char* const* argv) {
     for (int k = argc - 1; k > 0; --k) {
         const std::string word = argv[k];
         // CLI11 would take the next word for the value.
-        if (word.size() > 3 && word.starts_with("--") && word.find('=') == word.size() - 1)
+        if (word.size() > 3 && word.starts_with("--") && word.find('=') + 1 == word.size())
             throw UsageError{word.substr(0, word.size() - 1) + ": a value is missing"};
-        if (self_->is_long_option_with_one_dash(word)) self_->refuse_word(word);
+        if (option_text::has_one_dash(word)) self_->refuse_word(word);
         words.push_back(word);
     }
     try {

@@ -1,6 +1,7 @@
 #include "common/app/option_text.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -242,6 +243,12 @@ std::string entry(const std::string& left, const std::string& right) {
 }
 
 }  // namespace option_text
+bool option_text::has_one_dash(const std::string& word) {
+    const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+    return word.size() > 2 && word[0] == '-' && letter(word[1]) && !word.starts_with("-inf") &&
+           !word.starts_with("-nan");
+}
+
 std::string option_text::unknown(const std::string& word, const std::vector<std::string>& known,
                                  bool is_option, bool has_commands) {
     const std::string kind = is_option      ? "unknown option "

@@ -35,6 +35,9 @@ std::string joined(const std::vector<std::string>& words);
 std::string described(std::string_view meaning, std::string_view unit, const std::string& range,
                       const std::string& default_value);
 
+/// A long option with one dash, "-h-over-dx", which CLI11 would read as -h and whatever follows. Not
+/// "-1,0,1", "-inf" or "-h".
+bool has_one_dash(const std::string& word);
 /// What is said about a word that is no option or command; it names the nearest known one.
 std::string unknown(const std::string& word, const std::vector<std::string>& known, bool is_option,
                     bool has_commands);

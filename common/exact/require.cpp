@@ -1,7 +1,8 @@
 #include "common/exact/require.hpp"
 
 #include <array>
-#include <charconv>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
@@ -9,10 +10,13 @@ namespace exact {
 
 void require(bool holds, const char* problem, const char* what, double value, const char* range) {
     if (holds) return;
-    std::array<char, 32> digits{};  // as few as name the number
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    throw std::domain_error{std::string{problem} + ": " + what + " = " + std::string{digits.data(), end} +
-                            " lies outside " + range};
+    std::array<char, 200> text{};
+    for (const int digits : {15, 17}) {  // 0.6, and not 0.59999999999999998; all where they are needed
+        std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+        if (std::strtod(text.data(), nullptr) == value) break;
+    }
+    throw std::domain_error{std::string{problem} + ": " + what + " = " + text.data() + " lies outside " +
+                            range};
 }
 
 }  // namespace exact

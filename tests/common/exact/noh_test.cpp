@@ -127,7 +127,7 @@ TEST_CASE("Noh: what lies outside the range is named") {
     CHECK_THAT(message_of([&] { Noh(1, nan, 1, 1); }), Catch::Contains("gamma"));
     CHECK_THAT(message_of([] { Noh(1, 1.4, 0, 1); }), Catch::Contains("density = 0"));
     CHECK_THAT(message_of([] { Noh(1, 1.4, 1, -1); }), Catch::Contains("speed = -1"));
-    CHECK_THAT(message_of([] { Noh(1, 1.4, 1, 1e51); }), Catch::Contains("speed = 9.99"));
+    CHECK_THAT(message_of([] { Noh(1, 1.4, 1, 1e51); }), Catch::Contains("speed = 1e+51 "));
     CHECK_THAT(message_of([&] { noh.at(-0.5, 1); }), Catch::Contains("x = -0.5"));
     CHECK_THAT(message_of([&] { Noh(1, 1.4, 1, 1).at(nan, 1); }), Catch::Contains("x ="));
     CHECK_THAT(message_of([&] { noh.at(HUGE_VAL, 1); }), Catch::Contains("x = inf"));

@@ -183,7 +183,7 @@ TEST_CASE("Rarefaction: what lies outside the range is named") {
     CHECK_THAT(message_of([] { Rarefaction(1, 2, 1, 0.5); }), Catch::Contains("gamma = 1 "));
     CHECK_THAT(message_of([] { Rarefaction(1, 2, 101, 0.5); }), Catch::Contains("gamma = 101"));
     CHECK_THAT(message_of([&] { Rarefaction(1, 2, nan, 0.5); }), Catch::Contains("gamma"));
-    CHECK_THAT(message_of([] { Rarefaction(1, 2, 1.4, 1e101); }), Catch::Contains("half width = 9.99"));
+    CHECK_THAT(message_of([] { Rarefaction(1, 2, 1.4, 1e101); }), Catch::Contains("half width = 1e+101 "));
     CHECK_THAT(message_of([] { figure_14().at(0, -1); }), Catch::Contains("time = -1"));
     CHECK_THAT(message_of([&] { figure_14().at(0, late); }), Catch::Contains("time = 0.47292"));
     CHECK_THAT(message_of([&] { figure_14().at(nan, 0.1); }), Catch::Contains("x ="));
@@ -191,6 +191,6 @@ TEST_CASE("Rarefaction: what lies outside the range is named") {
     CHECK_THAT(message_of([&] { figure_14().head(late); }), Catch::Contains("time"));
     CHECK_THAT(message_of([&] { figure_14().front(late); }), Catch::Contains("time"));
     CHECK_THAT(message_of([&] { figure_14().trajectory(0, late); }), Catch::Contains("time"));
-    CHECK_THAT(message_of([] { figure_14().trajectory(0.6, 0.1); }), Catch::Contains("x0 = 0.59999"));
+    CHECK_THAT(message_of([] { figure_14().trajectory(0.6, 0.1); }), Catch::Contains("x0 = 0.6 "));
     CHECK(message_of([] { figure_14().at(0, figure_14().meeting_time()); }).empty());
 }

@@ -149,7 +149,7 @@ TEST_CASE("TaylorGreen, ShearWave: what lies outside the range is named") {
     CHECK_THAT(message_of([&] { flow.at(0, 0, -1); }), Catch::Contains("time = -1"));
     CHECK_THAT(message_of([&] { flow.kinetic_energy(nan); }), Catch::Contains("time"));
     CHECK_THAT(message_of([] { ShearWave(-1, 1, 1, 1); }), Catch::Contains("viscosity = -1"));
-    CHECK_THAT(message_of([] { ShearWave(0, 1e51, 1, 1); }), Catch::Contains("speed = 9.99"));
+    CHECK_THAT(message_of([] { ShearWave(0, 1e51, 1, 1); }), Catch::Contains("speed = 1e+51 "));
     CHECK_THAT(message_of([] { ShearWave(0, 1, 0, 1); }), Catch::Contains("side = 0"));
     CHECK_THAT(message_of([] { ShearWave(0, 1, 1, 0); }), Catch::Contains("mode = 0"));
     CHECK_THAT(message_of([] { ShearWave(0, 1, 1, 1001); }), Catch::Contains("mode = 1001"));
