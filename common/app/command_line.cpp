@@ -9,22 +9,11 @@
 #include "common/app/error.hpp"
 #include "common/app/files.hpp"
 #include "common/app/help_formatter.hpp"
+#include "common/app/option.hpp"
 #include "common/app/option_text.hpp"
 
 namespace app {
 namespace {
-
-/// One declared option: CLI11 collects its words, `read` turns a word into the target's value.
-struct Option {
-    std::string name;  // "--particles"
-    CLI::Option* words = nullptr;
-    bool is_flag = false;
-    std::function<void(const std::string&)> read{};
-    std::function<std::string()> value{};  // the target's value now, as it would be typed
-    std::string default_value{};
-    bool foreign = false;  // known, but not taken by this run
-    std::string entry{};   // of --help
-};
 
 void set_up(CLI::App& app) {
     app.set_help_flag("-h,--help", "print this help and exit");
@@ -250,12 +239,22 @@ bool CommandLine::given(std::string_view name) const {
     return command && command->given(name);
 }
 
+std::vector<std::pair<std::string, std::string>> CommandLine::values(
+    const std::vector<std::string>& except) const {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const auto& option : self_->options) {
+        const std::string value = option.value();
+        if (option.foreign || option.is_one_of(except) || value.empty() || value == "nan") continue;
+        all.emplace_back(option.name.substr(2), value);
+    }
+    return all;
+}
+
 std::string CommandLine::changed(const std::vector<std::string>& except) const {
     std::string text;
     for (const auto& option : self_->options) {
         const std::string value = option.value();
-        const bool left_out = std::find(except.begin(), except.end(), option.name.substr(2)) != except.end();
-        if (left_out || option.words->count() == 0 || value == option.default_value) continue;
+        if (option.is_one_of(except) || option.words->count() == 0 || value == option.default_value) continue;
         text += (text.empty() ? "" : " ") + option.name;
         if (!option.is_flag) text += " " + option_text::quoted(value);
     }

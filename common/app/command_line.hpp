@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace app {
@@ -64,6 +65,9 @@ class CommandLine {
     std::string chosen_command() const;
     /// True if the user gave this option (of the program or of the chosen sub-command) on the parsed line.
     bool given(std::string_view name) const;
+    /// Name and value of every option that this run takes and that has one, given or by default, without
+    /// those named in `except`.
+    std::vector<std::pair<std::string, std::string>> values(const std::vector<std::string>& except) const;
     /// The options that the user gave and whose value differs from the default, as they would be typed, in
     /// the order of their declaration ("--particles 50 --jitter 0.1"): the scene as metadata. Without the
     /// options named in `except`, and without those of sub-commands.
@@ -79,6 +83,10 @@ class CommandLine {
     explicit CommandLine(std::unique_ptr<Implementation>);
     std::unique_ptr<Implementation> self_;
 };
+
+/// For a bound that another option sets: throws UsageError, "--name: 0.6 is not allowed with the kernel
+/// cubic; allowed: above 0.667", unless value > bound. `where`: "with the kernel cubic".
+void require_above(const std::string& name, double value, double bound, const std::string& where);
 
 /// The element of `known` with the smallest edit distance to `word`; "" if none is near (more than half of
 /// the letters differ).

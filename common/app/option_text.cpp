@@ -47,6 +47,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+void require_above(const std::string& name, double value, double bound, const std::string& where) {
+    if (value > bound) return;
+    std::ostringstream limit;
+    limit.precision(3);
+    limit << bound;
+    throw UsageError{"--" + name + ": " + option_text::shown(value) + " is not allowed " + where +
+                     "; allowed: above " + limit.str()};
+}
+
 std::string nearest(std::string_view word, const std::vector<std::string>& known) {
     constexpr std::size_t longest = 100;  // nothing of ours is that long: no need to compare
     std::string best;

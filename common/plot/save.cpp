@@ -44,7 +44,7 @@ void Studio::save(const Figure& figure, const std::filesystem::path& folder, con
     const Image image = draw(self_->canvas, figure);
     const PngTexts texts{{"Title", title(figure)}, {"Software", software()}, {"Comment", comment(metadata)}};
     constexpr double points_per_inch = 72;
-    app::write_file(folder / (figure.name + ".csv"), data_csv(figure));
+    app::write_file(folder / (figure.name + ".csv"), metadata.csv_head + data_csv(figure));
     app::write_file(folder / (figure.name + ".png"),
                     encode_png(image, texts, pixels_per_point * points_per_inch));
 }

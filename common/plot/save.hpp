@@ -13,6 +13,7 @@ struct Metadata {
     std::string command;     ///< "./tutorial run 01 --only kernels"
     std::string parameters;  ///< "h_over_dx=1.2 jitter=0.3 seed=1"
     std::string revision;    ///< of the source that computed the figure
+    std::string csv_head{};  ///< lines "# name=value" that the CSV begins with; none in a figure of the book
 };
 
 /// Draws many figures with one OpenGL context (a context and its shaders cost more than a figure).

@@ -208,12 +208,16 @@ void Chapter::Implementation::run_scene() {
     settings.metadata.command = place.command + " --scene " + scene;
     if (settings.metadata.parameters != "default")
         settings.metadata.command += " " + settings.metadata.parameters;
+    const auto parameters = options.values(not_of_the_figure());
+    for (const auto& [name, value] : parameters)
+        settings.metadata.csv_head += "# " + name + "=" + value + "\n";
     const Results older = older_results();
     app::Progress progress{place.title, 1};
     FigureRun figure_run{scene, true, settings, studio, blocks, progress};
     entry.task.make(figure_run);
     if (figure_run.results().rows().empty()) return;
     Results all = figure_run.results();
+    all.parameters = parameters;
     all.merge_older(older);
     all.write(settings.out / "results.csv");
     app::write_stdout(figure_run.results().csv());
@@ -253,15 +257,6 @@ void Chapter::Implementation::run_figures() {
         rewrite_text(root / place.readme, blocks);
         rewrite_seconds(root / "README.md", place.folder, app::process_cpu_seconds() - begin);
     }
-}
-
-Place Place::of_chapter(const std::string& folder) {
-    const bool numbered = folder.size() > 3 && std::all_of(folder.begin(), folder.begin() + 2,
-                                                           [](char c) { return c >= '0' && c <= '9'; });
-    if (!numbered) throw std::invalid_argument{"a chapter's folder is named as 01_name: " + folder};
-    const std::string number = folder.substr(0, 2);
-    return {folder, "./tutorial run " + number, fmt::format("chapter {}", std::stoi(number)),
-            std::filesystem::path{"chapters"} / folder / "README.md"};
 }
 
 Chapter::Chapter(Place place, const std::string& title, std::string revision, std::filesystem::path root)

@@ -50,6 +50,8 @@ class Run {
     virtual void write(const std::string& file_name, const std::string& text) = 0;
     /// On standard output.
     virtual void print(const std::string& text) = 0;
+    /// On standard error: what casts doubt on a result.
+    virtual void warn(const std::string& text) = 0;
     /// Long work calls it with the share of it that is done: a bar with an estimate of the time left.
     virtual std::function<void(double share)> progress() = 0;
 

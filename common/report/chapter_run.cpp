@@ -1,5 +1,7 @@
 #include "common/report/chapter_run.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "common/app/clock.hpp"
@@ -56,11 +58,17 @@ Timing FigureRun::time(const std::function<void()>& work) {
 }
 
 void FigureRun::write(const std::string& file_name, const std::string& text) {
-    if (!settings_.check_text) app::write_file(settings_.out / file_name, text);
+    if (settings_.check_text) return;
+    app::write_file(settings_.out / file_name,
+                    file_name.ends_with(".csv") ? settings_.metadata.csv_head + text : text);
 }
 
 void FigureRun::print(const std::string& text) {
     if (!settings_.check_text) app::write_stdout(text);
+}
+
+void FigureRun::warn(const std::string& text) {
+    fmt::print(stderr, "warning: {}\n", text);
 }
 
 std::function<void(double)> FigureRun::progress() {

@@ -17,7 +17,7 @@ struct Settings {
     int threads = 1;
     unsigned long seed = 1;
     std::filesystem::path out;
-    plot::Metadata metadata;
+    plot::Metadata metadata;  ///< its csv_head heads all CSV files
 };
 
 /// One figure's or scene's run: its rows are kept apart until it is complete.
@@ -39,6 +39,7 @@ class FigureRun : public Run {
     Timing time(const std::function<void()>& work) override;
     void write(const std::string& file_name, const std::string& text) override;
     void print(const std::string& text) override;
+    void warn(const std::string& text) override;
     std::function<void(double)> progress() override;
 
     const Results& results() const { return results_; }

@@ -60,4 +60,13 @@ std::string options_of(const std::vector<Entry>& entries, const std::string& cho
     return text;
 }
 
+Place Place::of_chapter(const std::string& folder) {
+    const bool numbered = folder.size() > 3 && std::all_of(folder.begin(), folder.begin() + 2,
+                                                           [](char c) { return c >= '0' && c <= '9'; });
+    if (!numbered) throw std::invalid_argument{"a chapter's folder is named as 01_name: " + folder};
+    const std::string number = folder.substr(0, 2);
+    return {folder, "./tutorial run " + number, fmt::format("chapter {}", std::stoi(number)),
+            std::filesystem::path{"chapters"} / folder / "README.md"};
+}
+
 }  // namespace report

@@ -97,9 +97,11 @@ class Methods {
 template <class M>
 class MethodOptions {
   public:
-    /// `kernels`: those that every method can be run with; empty: each has its own only.
-    MethodOptions(const Methods<M>& methods, std::vector<std::string> kernels, app::Range h_over_dx)
-        : methods_{&methods}, kernels_{std::move(kernels)}, range_{h_over_dx} {
+    /// `kernels`: those that every method can be run with; empty: each has its own only. `above`: what h over
+    /// dx must be larger than with a kernel, whatever the range says.
+    MethodOptions(const Methods<M>& methods, std::vector<std::string> kernels, app::Range h_over_dx,
+                  std::function<double(const std::string& kernel)> above = {})
+        : methods_{&methods}, kernels_{std::move(kernels)}, range_{h_over_dx}, above_{std::move(above)} {
         for (const M& method : methods) {
             for (const app::Parameter& one : method.parameters.list()) all_.add(one);
         }
@@ -128,6 +130,9 @@ class MethodOptions {
         M method = method_.empty() ? methods_->recommended() : (*methods_)[method_];
         if (!kernel_.empty()) method.kernel = kernel_;
         if (!std::isnan(h_over_dx_)) method.h_over_dx = h_over_dx_;
+        if (above_)
+            app::require_above("h-over-dx", method.h_over_dx, above_(method.kernel),
+                               "with the kernel " + method.kernel);
         for (std::size_t k = 0; k < values_.size(); ++k) {
             const std::string& name = all_.list()[k].name;
             if (std::isnan(values_[k])) continue;
@@ -151,6 +156,7 @@ class MethodOptions {
     const Methods<M>* methods_;
     std::vector<std::string> kernels_;
     app::Range range_;
+    std::function<double(const std::string&)> above_;
     app::Parameters all_;
     std::string method_, kernel_;
     double h_over_dx_ = std::nan("");

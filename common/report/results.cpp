@@ -72,11 +72,20 @@ double Results::value(const std::string& scene, const std::string& method, long 
 }
 
 void Results::merge_older(const Results& older) {
+    const auto common = [](const Results& results) {
+        auto left = results.parameters;
+        std::erase_if(left,
+                      [](const auto& one) { return one.first == "particles" || one.first == "method"; });
+        return left;
+    };
+    const bool alike = common(*this) == common(older);
     std::set<std::string> own;
-    for (const auto& row : rows_) own.insert(row.scene);
+    std::set<std::tuple<std::string, std::string, long>> runs;
+    for (const auto& row : rows_) own.insert(row.scene), runs.emplace(row.scene, row.method, row.n);
     std::vector<Row> rows;
-    std::copy_if(older.rows_.begin(), older.rows_.end(), std::back_inserter(rows),
-                 [&](const Row& row) { return !own.contains(row.scene); });
+    std::copy_if(older.rows_.begin(), older.rows_.end(), std::back_inserter(rows), [&](const Row& row) {
+        return !own.contains(row.scene) || (alike && !runs.contains({row.scene, row.method, row.n}));
+    });
     rows_.insert(rows_.begin(), rows.begin(), rows.end());
 }
 
@@ -91,8 +100,9 @@ void Results::sort_by_scene(const std::vector<std::string>& order) {
 }
 
 std::string Results::csv() const {
-    std::string text{header};
-    text += '\n';
+    std::string text;
+    for (const auto& [name, value] : parameters) text += "# " + name + "=" + value + "\n";
+    text += std::string{header} + "\n";
     for (const auto& row : rows_)
         text += fmt::format("{},{},{},{},{:.17g},{}\n", row.scene, row.method, row.n, row.quantity, row.value,
                             row.unit);
@@ -103,13 +113,19 @@ Results Results::parse(const std::string& csv) {
     Results results;
     auto lines = split(csv, '\n');
     if (lines.back().empty()) lines.pop_back();  // after the last newline
+    bool in_rows = false;
     for (std::size_t k = 0; k < std::max<std::size_t>(lines.size(), 1); ++k) {
         try {
             std::string line = lines.empty() ? "" : lines[k];
             if (line.ends_with('\r')) line.pop_back();
-            if (k == 0 && line != header)
+            if (!in_rows && line.starts_with("# ") && line.find('=') != std::string::npos) {
+                results.parameters.emplace_back(line.substr(2, line.find('=') - 2),
+                                                line.substr(line.find('=') + 1));
+                continue;
+            }
+            if (!in_rows && line != header)
                 throw std::invalid_argument{"the header must be " + std::string{header}};
-            if (k == 0) continue;
+            if (!std::exchange(in_rows, true)) continue;
             Row row = parse_row(line);
             results.add(std::move(row.scene), std::move(row.method), row.n, std::move(row.quantity),
                         row.value, std::move(row.unit));

@@ -27,9 +27,12 @@ class Results {
     /// more than one.
     double value(const std::string& scene, const std::string& method, long n,
                  const std::string& quantity) const;
-    /// Keeps the rows of `older` whose scene has no row here, before the own ones, in their order: a run of
-    /// one figure (--only) must not drop the others' results.
+    /// Keeps rows of `older`, before the own ones, in their order: those whose scene has no row here, and
+    /// those of another method or number of particles if both are results of the same parameters but for
+    /// these.
     void merge_older(const Results& older);
+    /// The scene's parameters, name and value, which csv() tells in lines "# name=value" above the header.
+    std::vector<std::pair<std::string, std::string>> parameters;
     void append(const Results& more);  ///< its rows after the own ones
     /// Brings the rows into the order of their scenes in `order` (others last); rows of a scene keep theirs.
     void sort_by_scene(const std::vector<std::string>& order);

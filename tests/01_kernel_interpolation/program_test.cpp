@@ -70,7 +70,7 @@ TEST_CASE("one figure of a run: its picture, its data, its results, and nothing 
     CHECK(results.find("map,cubic,1024,l2_value_map") != std::string::npos);
     // So does a scene.
     REQUIRE(run("--scene interpolate" + out).status == 0);
-    CHECK(read(folder.path / "results.csv").rfind(results, 0) == 0);
+    CHECK(table(folder.path / "results.csv").rfind(results, 0) == 0);
 }
 
 TEST_CASE("a reader's scene depends on its options and on nothing else") {
@@ -78,14 +78,14 @@ TEST_CASE("a reader's scene depends on its options and on nothing else") {
     const std::string out = " --out " + folder.path.string();
     const std::string scene = "--scene interpolate --kernel quintic --particles 20 --dimension 2 --seed 5";
     REQUIRE(run(scene + " --threads 1" + out).status == 0);
-    const std::string profile = read(folder.path / "profile.csv");
+    const std::string profile = table(folder.path / "profile.csv");
     CHECK(lines(profile) == 401);
     CHECK(profile.rfind("x,y,A,dA_dx,laplacian,exact_A,exact_dA_dx,exact_laplacian\n", 0) == 0);
     REQUIRE(run(scene + " --threads 2" + out).status == 0);
-    CHECK(read(folder.path / "profile.csv") == profile);
+    CHECK(table(folder.path / "profile.csv") == profile);
     REQUIRE(run("--scene interpolate --kernel quintic --particles 20 --dimension 2 --seed 6" + out).status ==
             0);
-    CHECK(read(folder.path / "profile.csv") != profile);
+    CHECK(table(folder.path / "profile.csv") != profile);
 }
 
 TEST_CASE("the table of a kernel on standard output") {

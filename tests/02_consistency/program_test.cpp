@@ -40,7 +40,7 @@ TEST_CASE("a reader's scene: its profile, its figure, its errors, and nothing el
     const Outcome first = run(scene + " --threads 1" + out);
     REQUIRE(first.status == 0);
     CHECK(folder.files() == 4);  // png, its csv, profile.csv, results.csv
-    const std::string profile = read(folder.path / "profile.csv");
+    const std::string profile = table(folder.path / "profile.csv");
     CHECK(lines(profile) == 901);
     CHECK(profile.rfind(
               "x,y,sph,sph_slope,differences_slope,by-axes_slope,cspm,cspm_slope,linear_slope,fit,fit_slope,"
@@ -48,9 +48,9 @@ TEST_CASE("a reader's scene: its profile, its figure, its errors, and nothing el
               0) == 0);
     CHECK(first.text.find("interpolate,cspm,900,l2_slope,") != std::string::npos);
     REQUIRE(run(scene + " --threads 2" + out).status == 0);
-    CHECK(read(folder.path / "profile.csv") == profile);
+    CHECK(table(folder.path / "profile.csv") == profile);
     REQUIRE(run(scene + " --seed 2" + out).status == 0);
-    CHECK(read(folder.path / "profile.csv") != profile);
+    CHECK(table(folder.path / "profile.csv") != profile);
 }
 
 TEST_CASE("a constant has no relative error of its slope, and the scene goes on") {

@@ -45,11 +45,11 @@ TEST_CASE("scenes leave a profile, a figure and results, the same for one and tw
         INFO(scene << "\n" << first.text);
         REQUIRE(first.status == 0);
         CHECK(first.text.find("l1_v,") != std::string::npos);
-        const std::string profile = read(folder.path / "profile.csv");
+        const std::string profile = table(folder.path / "profile.csv");
         CHECK(lines(profile) >= 33);
         CHECK(profile.find("exact_v") != std::string::npos);
         REQUIRE(run("--scene " + scene + " --threads 2" + out).status == 0);
-        CHECK(read(folder.path / "profile.csv") == profile);
+        CHECK(table(folder.path / "profile.csv") == profile);
     }
 }
 

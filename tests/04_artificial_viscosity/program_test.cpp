@@ -11,7 +11,11 @@ TEST_CASE("bad options are refused in one line that names them") {
     check_refused("--scene tube --jitter 0.6" + out, 2, "0..0.49");
     check_refused("--scene tube --left 1,0" + out, 2, "--left");
     check_refused("--scene tube --left 1,0,nan" + out, 2, "--left");
-    check_refused("--scene tube --left 1,0,0" + out, 2, "--left");
+    check_refused("--scene tube --left 0,0,1" + out, 2, "--left");
+    check_refused("--scene tube --window 0,1" + out, 2, "--diaphragm");
+    check_refused("--scene tube --left 1e-6,0,1 --right 1,0,1 --particles 200" + out, 2, "--spacing even");
+    check_refused("--scene tube --h-over-dx 0.3 --kernel cubic" + out, 2, "0.5..8");
+    check_refused("--scene tube --h-over-dx 0.6 --kernel cubic" + out, 2, "above 0.667");
     check_refused("--scene tube --right -1,0,1" + out, 2, "--right");
     check_refused("--scene tube --left 0,0,0 --right 0,0,0" + out, 2, "vacuum");
     check_refused("--scene tube --method alpha" + out, 2, "alpha-beta");
@@ -34,10 +38,11 @@ TEST_CASE("a tube leaves a profile, a figure and results, the same for one and t
         REQUIRE(first.status == 0);
         for (const std::string quantity : {"l1_rho,", "l1_v,", "l1_p,", "energy_drift,", "steps,", "pairs,"})
             CHECK(first.text.find(quantity) != std::string::npos);
-        const std::string profile = read(folder.path / "profile.csv");
+        const std::string profile = table(folder.path / "profile.csv");
         CHECK(profile.find("x,rho,v,p,u,exact_rho,exact_v,exact_p,exact_u\n") == 0);
+        CHECK(read(folder.path / "profile.csv").find("# gamma=1.4\n") != std::string::npos);
         REQUIRE(run("--scene tube --threads 2 " + scene + out).status == 0);
-        CHECK(read(folder.path / "profile.csv") == profile);
+        CHECK(table(folder.path / "profile.csv") == profile);
     }
 }
 
@@ -66,7 +71,7 @@ TEST_CASE("a method's parameters, its kernel and its h are options, and each of 
     for (const std::string change : {"", "--alpha 0.5", "--beta 1", "--kernel quintic", "--h-over-dx 1.5"}) {
         INFO(change);
         REQUIRE(run("--scene tube --particles 40 --method alpha-beta " + change + out).status == 0);
-        const std::string profile = read(folder.path / "profile.csv");
+        const std::string profile = table(folder.path / "profile.csv");
         CHECK(std::find(profiles.begin(), profiles.end(), profile) == profiles.end());
         profiles.push_back(profile);
     }

@@ -92,8 +92,10 @@ TEST_CASE("a scene of the reader's own never touches the book's figures") {
     CHECK_FALSE(book.has("renders"));
     const std::string rows = header + row("tube", 100, "value", "3") + row("tube", 1, "seed", "1");
     CHECK(outcome.out == "printed\n" + rows);
-    CHECK(book.file("build/scenes/01_test/tube/results.csv") == rows);
-    CHECK(book.file("build/scenes/01_test/tube/profile.csv") == "x,rho\n");
+    // Its files tell their parameters.
+    const std::string parameters = "# seed=1\n# width=1\n";
+    CHECK(book.file("build/scenes/01_test/tube/results.csv") == parameters + rows);
+    CHECK(book.file("build/scenes/01_test/tube/profile.csv") == parameters + "x,rho\n");
 }
 
 TEST_CASE("an unwritable folder is found before anything is computed") {

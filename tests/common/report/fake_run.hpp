@@ -30,6 +30,7 @@ class FakeRun : public report::Run {
     }
     void write(const std::string&, const std::string&) override {}
     void print(const std::string&) override {}
+    void warn(const std::string&) override {}
     std::function<void(double)> progress() override {
         return [](double) {};
     }

@@ -88,17 +88,26 @@ TEST_CASE("a faulty file is refused, with its line") {
     CHECK_THROWS_WITH(Results::parse(header + "\n"), "line 2: six values are needed");
 }
 
-TEST_CASE("a new scene replaces its older rows and keeps the others'") {
-    // Fails if rows are merged one by one: old rows of a changed scene would stay.
+TEST_CASE("a new scene replaces its older rows and keeps the others', and its own of other sizes") {
+    // Fails if rows of other parameters stay, and if those of another N do not.
     Results older, results;
     older.add("a", "m", 1, "q", 1);
     older.add("b", "m", 1, "q", 2);
     older.add("b", "m", 2, "q", 3);
     results.add("b", "m", 1, "q", 4);
     results.add("c", "m", 1, "q", 5);
+    Results others = results;
+    results.parameters = {{"gamma", "2"}, {"particles", "1"}};
+    older.parameters = {{"gamma", "2"}, {"particles", "2"}};
     results.merge_older(older);
-    CHECK(scenes(results) == Names{"a", "b", "c"});
+    CHECK(scenes(results) == Names{"a", "b", "b", "c"});
     CHECK(results.value("b", "m", 1, "q") == 4);
+    CHECK(results.value("b", "m", 2, "q") == 3);
+    CHECK(Results::parse(results.csv()).parameters == results.parameters);
+    others.parameters = {{"gamma", "3"}, {"particles", "1"}};
+    others.merge_older(older);
+    CHECK(scenes(others) == Names{"a", "b", "c"});
+    results = others;
     results.append(older);
     results.sort_by_scene({"c", "b"});
     CHECK(scenes(results) == Names{"c", "b", "b", "b", "a", "a"});
