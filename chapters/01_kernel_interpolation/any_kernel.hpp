@@ -15,6 +15,11 @@ namespace sph {
 /// What AnyKernel can be: all of Kernels<d>, and the quadratic spline.
 const std::vector<std::string>& any_kernel_names();
 
+/// h over dx above which h = (h/dx) m/rho has a solution on a line: below it, with (h/dx) < h W(0), a
+/// particle is its own density and h shrinks to nothing. Throws std::invalid_argument for a name that is none
+/// of them.
+double least_h_over_dx(std::string_view kernel_name);
+
 /// The kernel of that name in d dimensions, for tiles. The three formulas that most runs use are compiled
 /// into the pass, and cost what they cost as types (measured: 0 to 2 % more in 1D and 2D, 7 % in 3D); the
 /// others are calls, one or two nanoseconds a pair.

@@ -33,6 +33,10 @@ const std::vector<std::string>& any_kernel_names() {
     return names;
 }
 
+double least_h_over_dx(std::string_view kernel_name) {
+    return AnyKernel<1>{kernel_name}.W(Tile{0.0}, 1.0)[0];
+}
+
 template <int d>
 AnyKernel<d>::AnyKernel(std::string_view kernel_name) : support{0}, number_{-1}, sigma_{0} {
     int number = 0;

@@ -15,6 +15,7 @@ void DispersionCommand::declare(app::CommandLine& line) {
 void DispersionCommand::run(report::Run& run) const {
     std::string csv = "k_dx,omega2_constant_h,omega2_variable_h\n";
     with_kernel<1>(kernel_, [&](const auto& kernel) {
+        app::require_above("h-over-dx", h_over_dx_, 1 / kernel.support, "with the kernel " + kernel_);
         for (const double k : k_dx_) {
             const auto d = dispersion<std::decay_t<decltype(kernel)>>(h_over_dx_, gamma_, k);
             csv += report::csv_row({k, d.fixed_h, d.variable_h});

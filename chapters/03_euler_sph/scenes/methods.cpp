@@ -33,7 +33,13 @@ void MethodChoice::declare(app::CommandLine& line, const std::vector<std::string
     line.choice("resolution", method.resolution, resolutions, "where density and h come from")
         .choice("kernel", method.kernel, any_kernel_names(), "smoothing kernel")
         .number("h-over-dx", method.h_over_dx, {0.5, 8}, "spacings",
-                "smoothing length: of all, or h_over_dx of (4.2)");
+                "smoothing length: of all, or h_over_dx of (4.2); above h W(0) of the kernel");
+}
+
+const GasMethod& MethodChoice::chosen() const {
+    app::require_above("h-over-dx", method.h_over_dx, least_h_over_dx(method.kernel),
+                       "with the kernel " + method.kernel);
+    return method;
 }
 
 }  // namespace sph::euler

@@ -33,6 +33,8 @@ std::vector<GasMethod> compared_methods(double best_h_over_dx = 1.35);
 /// The options --resolution, --kernel and --h-over-dx of a scene.
 struct MethodChoice {
     GasMethod method{};
+    /// The method. Throws app::UsageError for an h at which particles have no neighbours.
+    const GasMethod& chosen() const;
     void declare(app::CommandLine& line, const std::vector<std::string>& resolutions);
 };
 

@@ -171,8 +171,8 @@ void StarCommand::run(report::Run& run) const {
                                            : Spacing::graded;
     scene.threads = run.threads();
     scene.progress = run.progress();
-    const NonlinearRun star = run_nonlinear(scene, choice_.method, amplitude_, time_);
-    run.record(choice_.method.resolution, scene.n, star.measured());
+    const NonlinearRun star = run_nonlinear(scene, choice_.chosen(), amplitude_, time_);
+    run.record(choice_.chosen().resolution, scene.n, star.measured());
     run.write("profile.csv", report::csv({{"x", star.x},
                                           {"rho", star.rho},
                                           {"v", star.v},

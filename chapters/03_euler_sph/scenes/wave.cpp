@@ -119,8 +119,8 @@ void WaveCommand::run(report::Run& run) const {
     scene.gamma = gamma_;
     scene.threads = run.threads();
     scene.progress = run.progress();
-    const WaveRun wave = run_wave(scene, choice_.method);
-    run.record(choice_.method.resolution, scene.n, wave.measured());
+    const WaveRun wave = run_wave(scene, choice_.chosen());
+    run.record(choice_.chosen().resolution, scene.n, wave.measured());
     run.write("profile.csv", report::csv({{"x", wave.x}, {"v", wave.v}, {"exact_v", wave.exact}}));
     plot::Figure figure{"wave"};
     plot::beside_exact(figure.panel().labels("$x$", "$v$"), wave.x, wave.exact, wave.x, wave.v, 4);
