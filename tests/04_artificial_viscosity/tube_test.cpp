@@ -124,11 +124,47 @@ TEST_CASE("blast waves: errors against the reference, energy to rounding") {
 
 TEST_CASE("scenes that are none are refused") {
     TubeScene scene;
-    scene.right = {1, 0, 0};
+    scene.left = scene.right = {1, 0, 0};  // cold, and nothing happens
     CHECK_THROWS_AS(run_tube(scene, tube_methods().recommended()), std::invalid_argument);
-    scene.right = {1, 0, 1};
+    scene.left = scene.right = {1, 0, 1};
     scene.jitter = 0.5;
     CHECK_THROWS_AS(run_tube(scene, tube_methods().recommended()), std::invalid_argument);
     CHECK_THROWS_AS(tube_methods()["alpha"], std::invalid_argument);
     CHECK_THROWS_AS(hard_case("Toro 6"), std::invalid_argument);
+}
+
+TEST_CASE("an error of a field that is nothing is relative to its scale") {
+    // Fails if it is printed as 0, or relative to next to nothing. A contact at rest: v = 0 everywhere.
+    TubeScene contact;
+    contact.left = {1, 0, 1}, contact.right = {0.1, 0, 1};
+    contact.n = 200;
+    const TubeRun rest = run_tube(contact, tube_methods().recommended());
+    CHECK(rest.l1_v > 1e-4);  // measured 0.0026, of the speed of sound
+    CHECK(rest.l1_v < 0.01);
+    TubeScene fans;  // between which P is 1e-109
+    fans.left = {7, -1, 0.2}, fans.right = {7, 1, 0.2};
+    fans.time = 0.6, fans.n = 200;
+    CHECK(run_tube(fans, tube_methods().recommended()).wiggle < 2);  // measured 0.45
+}
+
+TEST_CASE("window and diaphragm move a tube, and change nothing") {
+    TubeScene scene;
+    scene.n = 100;
+    const TubeRun middle = run_tube(scene, tube_methods().recommended());
+    scene.window = {2.5, 3.5}, scene.diaphragm = 3;
+    const TubeRun moved = run_tube(scene, tube_methods().recommended());
+    CHECK(moved.l1_rho == Approx(middle.l1_rho).epsilon(1e-9));  // measured 1e-12
+    CHECK(moved.profile.x.front() == Approx(middle.profile.x.front() + 3).epsilon(1e-9));
+    scene.equal_masses = false;  // as many on both sides
+    const auto count = particles_of_sides(scene, gas_tube(scene));
+    CHECK(count[0] == 50);
+    CHECK(count[1] == 50);
+    CHECK(run_tube(scene, tube_methods().recommended()).l1_rho < 0.04);  // measured 0.018
+}
+
+TEST_CASE("cold streams collide with a little heat in the place of none") {
+    TubeScene scene;
+    scene.left = {1, 1, 0}, scene.right = {1, -1, 0};
+    scene.gamma = 5.0 / 3, scene.n = 200;
+    CHECK(run_tube(scene, tube_methods().recommended()).l1_rho < 0.03);  // measured 0.018
 }

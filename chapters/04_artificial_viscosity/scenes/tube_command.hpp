@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct TubeKind {
     app::Range gamma;                                      ///< allowed
     std::function<TubeProblem(const TubeScene&)> problem;  ///< throws std::invalid_argument for what is none
     std::function<report::Quantities(const TubeScene&, const TubeRun&)> more{};  ///< further rows
+    /// Other ways to give a velocity than as v, by name, and what makes v of them.
+    std::map<std::string, std::function<double(double)>> velocities{};
+    std::map<std::string, std::function<double(double v)>> columns{};  ///< further ones of profile.csv
 };
 
 /// Leaves rows of results.csv, profile.csv (x,rho,v,p,u,exact_rho,exact_v,exact_p,exact_u) and the figure
@@ -30,9 +34,10 @@ class TubeCommand {
 
     TubeKind kind_;
     report::MethodOptions<Method<1>> method_;
-    std::vector<double> left_, right_;
-    double gamma_, time_, jitter_ = 0, courant_;
+    std::vector<double> left_, right_, window_;
+    double gamma_, time_, jitter_ = 0, courant_, diaphragm_;
     long particles_;
+    std::string spacing_ = "masses", velocity_ = "v";
 };
 
 }  // namespace sph::shocks

@@ -17,26 +17,33 @@ std::size_t count(double length, double dx) {
 
 }  // namespace
 
-TubeLattice lay_tube(const std::array<double, 2>& rho, const std::array<double, 2>& ends, std::size_t n,
-                     double jitter, unsigned long seed) {
+TubeLattice lay_tube(const TubeScene& scene, const std::array<double, 2>& rho,
+                     const std::array<double, 2>& ends) {
     TubeLattice lattice;
-    lattice.m = 0.5 * (rho[0] + rho[1]) / static_cast<double>(n);
+    const auto n = static_cast<double>(scene.n);
+    const double left = scene.diaphragm - scene.window[0], right = scene.window[1] - scene.diaphragm;
+    std::array<double, 2> spacing{};
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (!(rho[side] > 0)) continue;
+        lattice.m[side] =
+            scene.equal_masses ? (rho[0] * left + rho[1] * right) / n : rho[side] * (left + right) / n;
+        spacing[side] = lattice.m[side] / rho[side];
+    }
     std::array<std::size_t, 2> size{};
     for (std::size_t side = 0; side < 2; ++side) {
-        if (rho[side] > 0) size[side] = count(ends[side], lattice.m / rho[side]);
+        if (rho[side] > 0) size[side] = count(ends[side], spacing[side]);
     }
     /// The k-th particle of a side, counted from the middle.
     const auto add = [&](std::size_t side, std::size_t k) {
-        const double dx = lattice.m / rho[side];
-        lattice.x.push_back((side == 0 ? -1 : 1) * (static_cast<double>(k) + 0.5) * dx);
+        lattice.x.push_back((side == 0 ? -1 : 1) * (static_cast<double>(k) + 0.5) * spacing[side]);
         lattice.side.push_back(side);
     };
     for (std::size_t k = size[0]; k-- > 0;) add(0, k);
     for (std::size_t k = 0; k < size[1]; ++k) add(1, k);
     lattice.free = lattice.x.size();
-    std::mt19937_64 random{seed};
+    std::mt19937_64 random{scene.seed};
     for (std::size_t i = 0; i < lattice.free; ++i)
-        lattice.x[i] += jitter * random_shift(random) * lattice.m / rho[lattice.side[i]];
+        lattice.x[i] += scene.jitter * random_shift(random) * spacing[lattice.side[i]];
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
         if (size[side] == 0) continue;
         const std::size_t begin = lattice.x.size();

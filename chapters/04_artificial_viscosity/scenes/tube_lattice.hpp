@@ -1,30 +1,28 @@
 #pragma once
-#include <array>
-#include <cstddef>
 #include <random>
-#include <vector>
 
+#include "chapters/04_artificial_viscosity/scenes/tube.hpp"
 #include "common/core/groups.hpp"
-#include "common/core/vec.hpp"
 
 /// Where the particles of a tube are at t = 0.
 namespace sph::shocks {
 
-/// Particles of equal mass m on both sides of x = 0: first those that are free, from left to right, then the
-/// layers beyond both ends, which are held and stand for more of the same gas.
+/// Particles on both sides of the diaphragm, x = 0 here: first those that are free, from left to right, then
+/// the layers beyond both ends, which are held and stand for more of the same gas.
 struct TubeLattice {
     Column x;
     std::vector<std::size_t> side;  ///< of each: 0 is left, 1 is right
     std::size_t free = 0;
     std::vector<Group> layers;  ///< "left layer" and "right layer"; none beside a vacuum
-    double m = 0;
+    std::array<double, 2> m{};  ///< of a particle of either side
 };
 
-/// `rho` of both sides, 0 for a vacuum on one of them; `ends`, where each begins and ends (< 0 and > 0; 0 for
-/// a vacuum); `n` particles' masses in |x| < 0.5; those that move are shifted at random by up to `jitter`
-/// (below 0.5) of their spacing. Throws std::invalid_argument if that takes more than ten million on a side.
-TubeLattice lay_tube(const std::array<double, 2>& rho, const std::array<double, 2>& ends, std::size_t n,
-                     double jitter, unsigned long seed);
+/// scene.n particles in the window; `rho` of both sides, 0 for a vacuum on one of them; `ends`, where each
+/// begins and ends (< 0 and > 0; 0 for a vacuum); those that move are shifted at random by up to
+/// scene.jitter (below 0.5) of their spacing. Throws std::invalid_argument if that takes more than ten
+/// million on a side.
+TubeLattice lay_tube(const TubeScene& scene, const std::array<double, 2>& rho,
+                     const std::array<double, 2>& ends);
 
 /// A number in [-1, 1), the same on every machine (which the distributions of the library are not).
 inline double random_shift(std::mt19937_64& random) {

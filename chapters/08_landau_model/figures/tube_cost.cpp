@@ -18,7 +18,7 @@ report::Lap lap(const TubeRun& tube, const TubeScene& scene) {
             tube.seconds,
             0,
             {{"l1_v", tube.l1_v},
-             {"shock_error", shock_of(tube, scene).error},
+             {"shock_error", shock_of(tube, scene).value_or(nowhere).error},
              {"steps", static_cast<double>(tube.counters.steps)}}};
 }
 

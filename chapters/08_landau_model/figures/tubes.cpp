@@ -40,8 +40,7 @@ std::vector<Entry> entries(const TubeFigure& what) {
 
 void draw(report::Run& run, const TubeFigure& what, const std::vector<Entry>& all) {
     using shocks::Profile;
-    const Profile exact = shocks::exact_profile(
-        shocks::exact_tube(relativistic_solution(what.scene), what.scene.time), what.low, what.high);
+    const Profile exact = shocks::exact_profile(exact_relativistic_tube(what.scene), what.low, what.high);
     plot::Figure figure{what.name, 2, 2};
     const auto panel = [&](int row, int column, const std::string& label,
                            Column Profile::*quantity) -> plot::Panel& {
@@ -84,7 +83,7 @@ void tube_figure(report::Run& run, TubeFigure what) {
          {"CPU s", "cpu_seconds", time_in(1)}}};
     for (const Entry& entry : all) {
         const TubeRun& tube = entry.run;
-        const Shock shock = shock_of(tube, what.scene);
+        const Shock shock = shock_of(tube, what.scene).value_or(nowhere);
         const Quantities errors{{"l1_rho", tube.l1_rho},
                                 {"l1_v", tube.l1_v},
                                 {"l1_p", tube.l1_p},

@@ -67,7 +67,7 @@ TubeRun run_grid_relativistic_tube(const TubeScene& scene) {
         run.whole.x.push_back(cells.centre(i)), run.whole.rho.push_back(rho), run.whole.v.push_back(v);
         run.whole.p.push_back(p), run.whole.u.push_back(gas.energy(rho, p));
     }
-    shocks::compare(run, Column(run.whole.x.size(), dx), shocks::exact_tube(solution, scene.time));
+    shocks::compare(run, Column(run.whole.x.size(), dx), exact_relativistic_tube(scene));
     return run;
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "chapters/04_artificial_viscosity/scenes/hard_cases.hpp"
 #include "chapters/04_artificial_viscosity/scenes/tube_command.hpp"
 #include "common/exact/relativistic_riemann.hpp"
@@ -20,17 +22,24 @@ const shocks::Methods<1>& relativistic_methods();
 shocks::TubeProblem relativistic_tube(const TubeScene& scene);
 /// The exact solution of the scene.
 exact::RelativisticRiemann relativistic_solution(const TubeScene& scene);
+shocks::ExactTube exact_relativistic_tube(const TubeScene& scene);
 
 /// Throws Unstable where the run leaves physics.
 TubeRun run_relativistic_tube(const TubeScene& scene, const TubeMethod& method);
 
-/// What is followed besides the errors of a TubeRun, where the right wave is a shock; else zeros.
+/// What is followed of a shock besides the errors of a TubeRun.
 struct Shock {
-    double place = 0;  ///< where the outermost density of the right wave crosses the mean of both its sides
-    double error = 0;  ///< relative to its exact place
-    double peak = 0;   ///< largest density behind it over the exact one
+    double place;  ///< where the outermost density of its wave crosses the mean of both its sides
+    double error;  ///< over the way from the diaphragm; over a hundredth of the window if it has gone less
+    double peak;   ///< largest density behind it over the exact one
 };
-Shock shock_of(const TubeRun& run, const TubeScene& scene);
+/// One that a run does not have: all of its way is missing.
+constexpr Shock nowhere{0, 1, 0};
+/// Of the wave on one side (-1 left, 1 right). None where the exact solution has no shock, and where the
+/// run's density nowhere crosses the mean.
+std::optional<Shock> shock_of(const TubeRun& run, const TubeScene& scene, int side);
+/// The right one, else the left one.
+std::optional<Shock> shock_of(const TubeRun& run, const TubeScene& scene);
 
 /// The scene `tube` of the reader's own: chapter 4's, of this gas.
 shocks::TubeKind relativistic_kind();
