@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/app/program.hpp"
 #include "common/core/effects.hpp"
 #include "common/core/neighbours.hpp"
 
@@ -237,10 +238,15 @@ void sum_over_neighbours(Receivers& receivers, const Sources& sources, N& neighb
     std::atomic<std::size_t> visited{0};
     list.team().parallel_for(
         list.receivers().size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
-            if constexpr (pass_detail::all_inlined) {
-                visited += pass_detail::sum_receivers_inlined(pass, list, begin, end, part);
-            } else {
-                visited += pass_detail::sum_receivers(pass, list, begin, end, part);
+            constexpr std::size_t interruptible = 4096;  // receivers between two looks for Ctrl-C
+            for (std::size_t next = begin; begin < end; begin = next) {
+                next = std::min(end, begin + interruptible);
+                app::check_interrupt();
+                if constexpr (pass_detail::all_inlined) {
+                    visited += pass_detail::sum_receivers_inlined(pass, list, begin, next, part);
+                } else {
+                    visited += pass_detail::sum_receivers(pass, list, begin, next, part);
+                }
             }
         });
     const auto pairs = static_cast<long>(visited);

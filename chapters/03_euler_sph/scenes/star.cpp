@@ -155,7 +155,7 @@ report::Quantities NonlinearRun::measured() const {
 
 void StarCommand::declare(app::CommandLine& line) {
     choice_.declare(line, resolutions_at_rest());
-    line.number("gamma", gamma_, {1, 100, true}, "", "adiabatic index")
+    line.number("gamma", gamma_, {1, 100, true}, "", "adiabatic index; above 1.015 unless masses are equal")
         .number("amplitude", amplitude_, {0, 10}, "Omega", "A_0: v = A_0 x at t = 0")
         .choice("spacing", spacing_, {"even", "graded", "masses"}, "of the particles")
         .integer("particles", particles_, 8, 1000, "of the star")
@@ -169,6 +169,9 @@ void StarCommand::run(report::Run& run) const {
     scene.spacing = spacing_ == "even"     ? Spacing::even
                     : spacing_ == "masses" ? Spacing::masses
                                            : Spacing::graded;
+    // The density at the edge falls like a power of 1/(gamma - 1): with even spacing masses would be lost.
+    if (scene.spacing != Spacing::masses)
+        app::require_above("gamma", gamma_, 1.015, "with --spacing " + spacing_);
     scene.threads = run.threads();
     scene.progress = run.progress();
     const NonlinearRun star = run_nonlinear(scene, choice_.chosen(), amplitude_, time_);
