@@ -85,7 +85,7 @@ class CommandLine {
 };
 
 /// For a bound that another option sets: throws UsageError, "--name: 0.6 is not allowed with the kernel
-/// cubic; allowed: above 0.667", unless value > bound. `where`: "with the kernel cubic".
+/// cubic; allowed: above 0.6667", unless value > bound. `where`: "with the kernel cubic".
 void require_above(const std::string& name, double value, double bound, const std::string& where);
 
 /// The element of `known` with the smallest edit distance to `word`; "" if none is near (more than half of

@@ -50,7 +50,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 void require_above(const std::string& name, double value, double bound, const std::string& where) {
     if (value > bound) return;
     std::ostringstream limit;
-    limit.precision(3);
+    limit.precision(4);
     limit << bound;
     throw UsageError{"--" + name + ": " + option_text::shown(value) + " is not allowed " + where +
                      "; allowed: above " + limit.str()};

@@ -53,7 +53,7 @@ TEST_CASE("scenes leave a profile, a figure and results, the same for one and tw
     }
 }
 
-TEST_CASE("a star that one h cannot hold stops with status 3 and writes no figure") {
+TEST_CASE("a star that is not found stops with status 3 and writes no figure") {
     const Folder folder;
     check_refused(
         "--scene star --gamma 1.4 --resolution fixed-h --particles 100 --out " + folder.path.string(), 3,

@@ -15,7 +15,7 @@ TEST_CASE("bad options are refused in one line that names them") {
     check_refused("--scene tube --window 0,1" + out, 2, "--diaphragm");
     check_refused("--scene tube --left 1e-6,0,1 --right 1,0,1 --particles 200" + out, 2, "--spacing even");
     check_refused("--scene tube --h-over-dx 0.3 --kernel cubic" + out, 2, "0.5..8");
-    check_refused("--scene tube --h-over-dx 0.6 --kernel cubic" + out, 2, "above 0.667");
+    check_refused("--scene tube --h-over-dx 0.6 --kernel cubic" + out, 2, "above 0.6667");
     check_refused("--scene tube --right -1,0,1" + out, 2, "--right");
     check_refused("--scene tube --left 0,0,0 --right 0,0,0" + out, 2, "vacuum");
     check_refused("--scene tube --method alpha" + out, 2, "alpha-beta");

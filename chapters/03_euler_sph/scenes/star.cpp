@@ -155,7 +155,7 @@ report::Quantities NonlinearRun::measured() const {
 
 void StarCommand::declare(app::CommandLine& line) {
     choice_.declare(line, resolutions_at_rest());
-    line.number("gamma", gamma_, {1, 100, true}, "", "adiabatic index; above 1.015 unless masses are equal")
+    line.number("gamma", gamma_, {1, 100, true}, "", "adiabatic index; above 1.019 unless masses are equal")
         .number("amplitude", amplitude_, {0, 10}, "Omega", "A_0: v = A_0 x at t = 0")
         .choice("spacing", spacing_, {"even", "graded", "masses"}, "of the particles")
         .integer("particles", particles_, 8, 1000, "of the star")
@@ -171,7 +171,7 @@ void StarCommand::run(report::Run& run) const {
                                            : Spacing::graded;
     // The density at the edge falls like a power of 1/(gamma - 1): with even spacing masses would be lost.
     if (scene.spacing != Spacing::masses)
-        app::require_above("gamma", gamma_, 1.015, "with --spacing " + spacing_);
+        app::require_above("gamma", gamma_, 1.019, "with --spacing " + spacing_);
     scene.threads = run.threads();
     scene.progress = run.progress();
     const NonlinearRun star = run_nonlinear(scene, choice_.chosen(), amplitude_, time_);
