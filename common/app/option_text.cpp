@@ -107,10 +107,6 @@ std::size_t letters(std::string_view utf8) {
         std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-}  // namespace
-
-namespace {
-
 /// A number, or the fraction of two: 5/3.
 std::from_chars_result read_fraction(std::string_view word, double& value) {
     const std::size_t slash = word.find('/');
@@ -251,15 +247,14 @@ std::string entry(const std::string& left, const std::string& right) {
     return text + '\n';
 }
 
-}  // namespace option_text
-bool option_text::has_one_dash(const std::string& word) {
+bool has_one_dash(const std::string& word) {
     const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
     return word.size() > 2 && word[0] == '-' && letter(word[1]) && !word.starts_with("-inf") &&
            !word.starts_with("-nan");
 }
 
-std::string option_text::unknown(const std::string& word, const std::vector<std::string>& known,
-                                 bool is_option, bool has_commands) {
+std::string unknown(const std::string& word, const std::vector<std::string>& known, bool is_option,
+                    bool has_commands) {
     const std::string kind = is_option      ? "unknown option "
                              : has_commands ? "unknown command "
                                             : "unexpected word ";
@@ -271,4 +266,5 @@ std::string option_text::unknown(const std::string& word, const std::vector<std:
            (is_option || !has_commands ? "; --help lists the options" : "; known: " + joined(known));
 }
 
+}  // namespace option_text
 }  // namespace app

@@ -19,6 +19,11 @@ TEST_CASE("bad options are refused in one line that names them") {
     check_refused("--only wave --gamma 3" + out, 2, "the figure wave does not take it");
     check_refused("--kernel quintic" + out, 2, "--scene wave");
     check_refused("--scene slab" + out, 2, "dispersion");
+    // Particles without neighbours: h would shrink for ever, and Omega is 0/0.
+    check_refused("--scene wave --h-over-dx 0.6" + out, 2, "above 0.6667");
+    check_refused("--scene star --h-over-dx 0.66 --time 1" + out, 2, "above 0.6667");
+    check_refused("--scene rarefaction --h-over-dx 0.5" + out, 2, "above 0.6667");
+    check_refused("--scene dispersion --kernel cubic --h-over-dx 0.5" + out, 2, "above 0.5");
     CHECK(folder.files() == 0);
 }
 

@@ -1,6 +1,7 @@
 // Tubes and hard cases: what each dissipation reaches, what it conserves, and what the naive methods do.
 #include <catch2/catch.hpp>
 
+#include "chapters/04_artificial_viscosity/scenes/grid_tube.hpp"
 #include "chapters/04_artificial_viscosity/scenes/hard_cases.hpp"
 #include "chapters/04_artificial_viscosity/scenes/standing_wave.hpp"
 #include "chapters/04_artificial_viscosity/scenes/woodward_colella.hpp"
@@ -167,4 +168,18 @@ TEST_CASE("cold streams collide with a little heat in the place of none") {
     scene.left = {1, 1, 0}, scene.right = {1, -1, 0};
     scene.gamma = 5.0 / 3, scene.n = 200;
     CHECK(run_tube(scene, tube_methods().recommended()).l1_rho < 0.03);  // measured 0.018
+}
+
+TEST_CASE("grids know window and diaphragm, too") {
+    // Fails if a grid stays where it was while the exact solution moves.
+    TubeScene scene;
+    scene.n = 100;
+    for (const exact::Frame frame : {exact::Frame::eulerian, exact::Frame::lagrangian}) {
+        const double here = run_grid_tube(scene, frame).l1_rho;
+        TubeScene there = scene;
+        there.window = {2, 4}, there.diaphragm = 3, there.n = 200, there.time = 0.2;
+        CHECK(here < 0.03);
+        // Twice as wide, as fine, and as much of it at rest without an error.
+        CHECK(run_grid_tube(there, frame).l1_rho == Approx(here / 2).epsilon(0.02));
+    }
 }

@@ -16,6 +16,8 @@ TEST_CASE("bad options are refused in one line that names them") {
     check_refused("--scene tube --left 1,0,1e-14" + out, 2, "pressure");
     check_refused("--scene tube --left 0,0,1" + out, 2, "--left");
     check_refused("--scene tube --window 0,1" + out, 2, "--diaphragm");
+    check_refused("--scene tube --velocity lorentz --left 1,0.5,1" + out, 2, "Lorentz factor");
+    check_refused("--scene slab --method narrow --h-over-dx 0.6" + out, 2, "above 0.75");
     check_refused("--scene tube --left 1e-6,0,1 --right 1,0,1 --particles 200" + out, 2, "--spacing even");
     check_refused("--scene tube --h-over-dx 0.3 --kernel cubic" + out, 2, "0.5..8");
     check_refused("--scene tube --h-over-dx 0.6 --kernel cubic" + out, 2, "above 0.6667");

@@ -25,7 +25,8 @@ inline std::string output_of(const std::string& command) {
 inline const std::set<std::string>& tracked() {
     static const std::set<std::string> all = [] {
         std::set<std::string> found;
-        std::istringstream lines{output_of("git -c safe.directory='*' -C '" SPH_SOURCE_DIR "' ls-files 2>/dev/null")};
+        std::istringstream lines{
+            output_of("git -c safe.directory='*' -C '" SPH_SOURCE_DIR "' ls-files 2>/dev/null")};
         for (std::string line; std::getline(lines, line);) {
             for (std::filesystem::path path{line}; !path.empty(); path = path.parent_path())
                 found.insert(path.generic_string());

@@ -102,8 +102,9 @@ void RarefactionCommand::run(report::Run& run) const {
     scene.threads = run.threads();
     scene.time = 0.8 * 0.5 / IdealGas{gamma_}.sound_speed(1, scene.u);
     scene.progress = run.progress();
-    const RarefactionRun gas = run_rarefaction(scene, choice_.chosen());
-    run.record(choice_.chosen().resolution, scene.n, gas.measured());
+    const GasMethod& method = choice_.chosen();
+    const RarefactionRun gas = run_rarefaction(scene, method);
+    run.record(method.resolution, scene.n, gas.measured());
     run.write("profile.csv", report::csv({{"x", gas.x},
                                           {"v", gas.v},
                                           {"rho", gas.rho},

@@ -174,8 +174,9 @@ void StarCommand::run(report::Run& run) const {
         app::require_above("gamma", gamma_, 1.019, "with --spacing " + spacing_);
     scene.threads = run.threads();
     scene.progress = run.progress();
-    const NonlinearRun star = run_nonlinear(scene, choice_.chosen(), amplitude_, time_);
-    run.record(choice_.chosen().resolution, scene.n, star.measured());
+    const GasMethod& method = choice_.chosen();
+    const NonlinearRun star = run_nonlinear(scene, method, amplitude_, time_);
+    run.record(method.resolution, scene.n, star.measured());
     run.write("profile.csv", report::csv({{"x", star.x},
                                           {"rho", star.rho},
                                           {"v", star.v},

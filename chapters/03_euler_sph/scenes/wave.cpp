@@ -119,8 +119,9 @@ void WaveCommand::run(report::Run& run) const {
     scene.gamma = gamma_;
     scene.threads = run.threads();
     scene.progress = run.progress();
-    const WaveRun wave = run_wave(scene, choice_.chosen());
-    run.record(choice_.chosen().resolution, scene.n, wave.measured());
+    const GasMethod& method = choice_.chosen();
+    const WaveRun wave = run_wave(scene, method);
+    run.record(method.resolution, scene.n, wave.measured());
     run.write("profile.csv", report::csv({{"x", wave.x}, {"v", wave.v}, {"exact_v", wave.exact}}));
     plot::Figure figure{"wave"};
     plot::beside_exact(figure.panel().labels("$x$", "$v$"), wave.x, wave.exact, wave.x, wave.v, 4);

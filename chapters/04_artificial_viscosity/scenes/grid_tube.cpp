@@ -35,22 +35,25 @@ TubeRun advance(exact::FiniteVolume& grid, double time, double gamma, Column& wi
 TubeRun run_grid_tube(const TubeScene& scene, exact::Frame frame) {
     const TubeProblem problem = gas_tube(scene);
     const auto [begin, end] = problem.ends;
-    const auto n = static_cast<double>(scene.n);
-    const double m = 0.5 * (scene.left.rho + scene.right.rho) / n;
+    const double width = scene.window[1] - scene.window[0];
+    const double per_length = static_cast<double>(scene.n) / width, dx = width / static_cast<double>(scene.n);
+    const double m = (scene.left.rho * (scene.diaphragm - scene.window[0]) +
+                      scene.right.rho * (scene.window[1] - scene.diaphragm)) /
+                     static_cast<double>(scene.n);
     const bool lagrangian = frame == exact::Frame::lagrangian;
     const auto count = [&](double length, double rho) {
-        return static_cast<std::size_t>(std::ceil(lagrangian ? length * rho / m : length * n)) + 4;
+        return static_cast<std::size_t>(std::ceil(lagrangian ? length * rho / m : length * per_length)) + 4;
     };
     const std::size_t left = count(-begin, scene.left.rho), right = count(end, scene.right.rho);
     exact::GasCells cells;
-    const double left_width = lagrangian ? m / scene.left.rho : 1 / n;
-    const double right_width = lagrangian ? m / scene.right.rho : 1 / n;
+    const double left_width = lagrangian ? m / scene.left.rho : dx;
+    const double right_width = lagrangian ? m / scene.right.rho : dx;
     for (std::size_t k = left; k > 0; --k) {
-        cells.faces.push_back(-static_cast<double>(k) * left_width);
+        cells.faces.push_back(scene.diaphragm - static_cast<double>(k) * left_width);
         cells.states.push_back(scene.left);
     }
     for (std::size_t k = 0; k <= right; ++k) {
-        cells.faces.push_back(static_cast<double>(k) * right_width);
+        cells.faces.push_back(scene.diaphragm + static_cast<double>(k) * right_width);
         if (k < right) cells.states.push_back(scene.right);
     }
     exact::FiniteVolume grid{cells, {.gamma = scene.gamma, .frame = frame}};

@@ -29,10 +29,10 @@ exact::Riemann::State state_of(const std::string& option, const std::vector<doub
     return state;
 }
 
-/// Sides whose particles cannot tell what happens there.
-void judge_sampling(report::Run& run, const TubeScene& scene, const TubeProblem& problem) {
+/// Sides whose particles, `count` of each, cannot tell what happens there.
+void judge_sampling(report::Run& run, const TubeScene& scene, const TubeProblem& problem,
+                    const std::array<std::size_t, 2>& count) {
     constexpr std::size_t few = 20;
-    const auto count = particles_of_sides(scene, problem);
     for (const std::size_t side : {0, 1}) {
         if (problem.density[side] == 0 || count[side] >= few) continue;
         const std::string text = fmt::format("the {} side has {} of {} particles in the window",
@@ -164,17 +164,14 @@ void TubeCommand::run(report::Run& run) const {
     TubeScene tube_scene = scene(run);
     tube_scene.progress = run.progress();
     const TubeProblem problem = checked([&] { return kind_.problem(tube_scene); });
-    checked([&] {
-        judge_sampling(run, tube_scene, problem);
-        return 0;
-    });
+    const auto sides = checked([&] { return particles_of_sides(tube_scene, problem); });
+    judge_sampling(run, tube_scene, problem, sides);
     const TubeRun tube = checked([&] { return run_tube(tube_scene, method, problem); });
     if (tube.profile.x.empty()) throw app::UsageError{"--time: the gas has left the window; allowed: less"};
     judge_result(run, tube_scene, problem.exact, tube);
-    const auto [left, right] = particles_of_sides(tube_scene, problem);
-    run.record(
-        method.name, tube_scene.n,
-        {{"particles_left", static_cast<double>(left)}, {"particles_right", static_cast<double>(right)}});
+    run.record(method.name, tube_scene.n,
+               {{"particles_left", static_cast<double>(sides[0])},
+                {"particles_right", static_cast<double>(sides[1])}});
     run.record(method.name, tube_scene.n, tube.errors());
     run.record(method.name, tube_scene.n, tube.drifts());
     run.record(method.name, tube_scene.n, tube.costs());

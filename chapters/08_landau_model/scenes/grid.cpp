@@ -49,13 +49,17 @@ std::vector<SlabProfile> run_grid_slab(std::size_t n, const std::vector<double>&
 TubeRun run_grid_relativistic_tube(const TubeScene& scene) {
     const auto solution = relativistic_solution(scene);
     const auto& waves = solution.waves();
-    const double dx = 1 / static_cast<double>(scene.n);
+    const double dx = (scene.window[1] - scene.window[0]) / static_cast<double>(scene.n);
     const double reach =
-        std::max({0.5, -1.02 * waves.left.head.v * scene.time, 1.02 * waves.right.head.v * scene.time});
+        std::max({scene.diaphragm - scene.window[0], scene.window[1] - scene.diaphragm,
+                  -1.02 * waves.left.head.v * scene.time, 1.02 * waves.right.head.v * scene.time});
     const auto half = static_cast<std::size_t>(std::ceil(reach / dx)) + 4;
     const double length = static_cast<double>(half) * dx;
     exact::RelativisticFiniteVolume<exact::RelativisticGas> grid{
-        exact::uniform_tube(-length, 0, length, 2 * half, scene.left, scene.right), {scene.gamma}, {}};
+        exact::uniform_tube(scene.diaphragm - length, scene.diaphragm, scene.diaphragm + length, 2 * half,
+                            scene.left, scene.right),
+        {scene.gamma},
+        {}};
     TubeRun run;
     run.seconds = app::thread_cpu_seconds([&] { grid.advance_to(scene.time); });
     run.counters.steps = grid.steps();

@@ -37,7 +37,7 @@ Column velocities(const Column& rapidity) {
 
 }  // namespace
 
-SlabCommand::SlabCommand() : method_{slab_methods(), any_kernel_names(), {0.5, 100}} {}
+SlabCommand::SlabCommand() : method_{slab_methods(), any_kernel_names(), {0.5, 100}, least_h_over_dx} {}
 
 void SlabCommand::declare(app::CommandLine& line) {
     line.integer("particles", particles_, 10, 1000000, "in |x| <= 1")

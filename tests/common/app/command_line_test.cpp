@@ -245,3 +245,51 @@ TEST_CASE("the nearest word") {
     CHECK(app::nearest("", {"a"}).empty());
     CHECK(app::nearest("a", {}).empty());
 }
+
+TEST_CASE("a number may be a fraction") {
+    // Fails if what stands behind the slash is dropped, or if a division by 0 gets through.
+    Program program;
+    REQUIRE(program.parse({"--gamma", "5/3", "--x", "-1/4,1e1/2"}));
+    CHECK(program.gamma == 5.0 / 3);
+    CHECK(program.x == std::vector<double>{-0.25, 5});
+    CHECK(usage_error({"--gamma", "5/0"}) == "--gamma: 5/0 is not a finite number; allowed: > 1 and <= 10");
+    CHECK(usage_error({"--gamma", "5/3/1"}) == "--gamma: 5/3/1 is not a number; allowed: > 1 and <= 10");
+    CHECK(usage_error({"--gamma", "5/"}) == "--gamma: 5/ is not a number; allowed: > 1 and <= 10");
+}
+
+TEST_CASE("a long option with one dash is no -h with something behind it") {
+    // Fails if CLI11 gets the word: --help is printed, with status 0.
+    CHECK(usage_error({"-help"}) == "unknown option -help; did you mean --help?");
+    CHECK(usage_error({"-gamma", "2"}) == "unknown option -gamma; did you mean --gamma?");
+    CHECK(usage_error({"-hgamma=2"}) == "unknown option -hgamma; did you mean --gamma?");
+}
+
+TEST_CASE("ranges and bounds are told in few letters") {
+    // Fails for 1e+50, 1e-05, and a bound with all its digits.
+    CHECK(app::Range{1e-50, 1e50}.text() == "1e-50..1e50");
+    CHECK(app::Range{1e-5, 1e6}.text() == "1e-5..1e6");
+    CHECK(app::Range{1e-10, 1e100}.text() == "1e-10..1e100");
+    app::require_above("h", 0.7, 2.0 / 3, "");
+    CHECK_THROWS_WITH(app::require_above("h", 2.0 / 3, 2.0 / 3, "here"),
+                      "--h: 0.6666666666666666 is not allowed here; allowed: above 0.6667");
+}
+
+TEST_CASE("the values of a run: what it takes, given or by default") {
+    // Fails if an option of others, one that is left out, or one without a value is told.
+    Program program;
+    double other = 1;
+    program.line.foreign().number("other", other, app::any, "", "of others");
+    REQUIRE(program.parse({"--gamma", "3/2"}));
+    const auto values = program.line.values({"threads"});
+    const auto told = [&](const std::string& name) {
+        for (const auto& [known, value] : values) {
+            if (known == name) return value;
+        }
+        return std::string{"not told"};
+    };
+    CHECK(told("gamma") == "1.5");
+    CHECK(told("method") != "not told");
+    CHECK(told("threads") == "not told");
+    CHECK(told("other") == "not told");
+    CHECK(told("quick") == "not told");
+}

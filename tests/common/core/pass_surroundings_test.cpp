@@ -1,7 +1,11 @@
 // What surrounds a pass: ghosts of the scene's own, receivers that are no particles, refusals, counters.
 #include <catch2/catch.hpp>
+#include <csignal>
+#include <stdexcept>
 
+#include "common/app/program.hpp"
 #include "common/core/pass.hpp"
+#include "tests/common/app/child.hpp"
 #include "tests/common/core/test_kernel.hpp"
 
 using namespace sph;
@@ -76,4 +80,19 @@ TEST_CASE("counters tell what was done") {
     CHECK(counters.passes == 2);
     CHECK(counters.pairs == 56);
     CHECK(counters.evaluations == 112);  // two of the three effects are sums over pairs
+}
+
+TEST_CASE("Ctrl-C is heard within a pass") {
+    // Fails if a pass does not look: it ends, and status 0 or 1 is returned.
+    const auto outcome = child::run([] {
+        return app::run([] {
+            Particles<1, Position, Mass, Density> particles{10};
+            Neighbours<1> neighbours;
+            neighbours.find(particles.x, 1);
+            std::raise(SIGINT);
+            sum_over_neighbours(particles, neighbours, test::Constant{1}, Effects{test::SummedDensity{}});
+            throw std::runtime_error{"went on"};
+        });
+    });
+    CHECK(outcome.status == 130);
 }

@@ -112,8 +112,7 @@ TEST_CASE("Burgers: no step where the method changes") {
 
 // Fails for every check that is left out, and for a comparison that lets NaN pass.
 TEST_CASE("Burgers: what lies outside the range is named") {
-    CHECK_THAT(message_of(1e-5, 1, 0.5),
-               Catch::Contains("viscosity") && Catch::Contains("= 1e-05 "));
+    CHECK_THAT(message_of(1e-5, 1, 0.5), Catch::Contains("viscosity") && Catch::Contains("= 1e-05 "));
     CHECK_THAT(message_of(101, 1, 0.5), Catch::Contains("viscosity = 101"));
     CHECK_THAT(message_of(0, 1, 0.5), Catch::Contains("viscosity = 0"));
     CHECK_THAT(message_of(std::nan(""), 1, 0.5), Catch::Contains("viscosity"));

@@ -73,6 +73,7 @@ TEST_CASE("exact: bad usage is one line that names the mistake, status 2, nothin
     const Case cases[] = {
         {"", "burgers"},
         {"burger --x 0", "did you mean burgers?"},
+        {"riemann --points 3 --window 1e-9,1e-10", "--window: 1e-9,1e-10 is not allowed"},
         {"qqq", "burgers"},
         {"burgers", "--x"},
         {"burgers --x 0 --points 3", "--points"},
