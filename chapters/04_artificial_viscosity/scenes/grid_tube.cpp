@@ -35,8 +35,9 @@ TubeRun advance(exact::FiniteVolume& grid, double time, double gamma, Column& wi
 TubeRun run_grid_tube(const TubeScene& scene, exact::Frame frame) {
     const TubeProblem problem = gas_tube(scene);
     const auto [begin, end] = problem.ends;
-    const double width = scene.window[1] - scene.window[0];
-    const double per_length = static_cast<double>(scene.n) / width, dx = width / static_cast<double>(scene.n);
+    const double window = scene.window[1] - scene.window[0];
+    const double per_length = static_cast<double>(scene.n) / window,
+                 dx = window / static_cast<double>(scene.n);
     const double m = (scene.left.rho * (scene.diaphragm - scene.window[0]) +
                       scene.right.rho * (scene.window[1] - scene.diaphragm)) /
                      static_cast<double>(scene.n);
