@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/exact/finite_volume.hpp"
+#include "common/exact/lorentz.hpp"
 
 namespace exact {
 
@@ -17,10 +18,6 @@ struct Motion {
     double lorentz, slow, v;
     explicit Motion(double z) : lorentz{std::sqrt(1 + z * z)}, slow{1 / lorentz}, v{z * slow} {}
 };
-/// z of a velocity |v| < 1; of v near 1 no more is known than 1e-16 W^2.
-inline double four_velocity(double v) {
-    return v / std::sqrt((1 - v) * (1 + v));
-}
 
 /// The equations of motion for primitive values, with the rapidity y, dy = dz/W, the enthalpy w = e + p per
 /// volume at rest, and the speed of sound c_s:

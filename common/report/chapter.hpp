@@ -48,6 +48,9 @@ class Run {
     virtual Timing time(const std::function<void()>& work) = 0;
     /// Into --out, atomically.
     virtual void write(const std::string& file_name, const std::string& text) = 0;
+    /// A line "# name=value" of the CSV files that the scene writes from now on, unless an option of that
+    /// name has one: what a method has of its own, where no option was given.
+    virtual void parameter(const std::string& name, const std::string& value) = 0;
     /// On standard output.
     virtual void print(const std::string& text) = 0;
     /// On standard error: what casts doubt on a result.

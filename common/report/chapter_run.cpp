@@ -15,6 +15,7 @@ FigureRun::FigureRun(std::string scene, bool timed, const Settings& settings,
     : scene_{std::move(scene)},
       timed_{timed},
       settings_{settings},
+      metadata_{settings.metadata},
       studio_{studio},
       blocks_{blocks},
       progress_{progress} {}
@@ -36,7 +37,7 @@ void FigureRun::save(const plot::Figure& figure) {
     app::check_interrupt();
     if (settings_.check_text) return;
     if (!studio_) studio_.emplace();
-    studio_->save(figure, settings_.out, settings_.metadata);
+    studio_->save(figure, settings_.out, metadata_);
 }
 
 void FigureRun::fill(const std::string& name, const std::string& text) {
@@ -60,7 +61,13 @@ Timing FigureRun::time(const std::function<void()>& work) {
 void FigureRun::write(const std::string& file_name, const std::string& text) {
     if (settings_.check_text) return;
     app::write_file(settings_.out / file_name,
-                    file_name.ends_with(".csv") ? settings_.metadata.csv_head + text : text);
+                    file_name.ends_with(".csv") ? metadata_.csv_head + text : text);
+}
+
+void FigureRun::parameter(const std::string& name, const std::string& value) {
+    const std::string begin = "# " + name + "=";
+    if (("\n" + metadata_.csv_head).find("\n" + begin) == std::string::npos)
+        metadata_.csv_head += begin + value + "\n";
 }
 
 void FigureRun::print(const std::string& text) {

@@ -38,6 +38,7 @@ class FigureRun : public Run {
     void fill(const std::string& name, const std::string& text) override;
     Timing time(const std::function<void()>& work) override;
     void write(const std::string& file_name, const std::string& text) override;
+    void parameter(const std::string& name, const std::string& value) override;
     void print(const std::string& text) override;
     void warn(const std::string& text) override;
     std::function<void(double)> progress() override;
@@ -50,6 +51,7 @@ class FigureRun : public Run {
     std::string scene_;
     bool timed_;
     const Settings& settings_;
+    plot::Metadata metadata_;  // the settings', and what parameter() adds
     std::optional<plot::Studio>& studio_;
     Blocks& blocks_;
     app::Progress& progress_;

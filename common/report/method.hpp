@@ -12,6 +12,7 @@
 #include "common/app/option_text.hpp"
 #include "common/app/parameters.hpp"
 #include "common/plot/figure.hpp"
+#include "common/report/chapter.hpp"
 
 namespace report {
 
@@ -91,6 +92,16 @@ class Methods {
     std::string recommended_;
     std::vector<M> list_;
 };
+
+/// Tells the CSV files of a scene with which method, kernel, h and parameters they were made.
+template <class M>
+void tell(Run& run, const M& method) {
+    run.parameter("method", method.name);
+    run.parameter("kernel", method.kernel);
+    run.parameter("h-over-dx", app::option_text::shown(method.h_over_dx));
+    for (const app::Parameter& one : method.parameters.list())
+        run.parameter(one.name, app::option_text::shown(one.value));
+}
 
 /// The options by which a reader chooses a method and turns what may be turned at it: --method, --kernel,
 /// --h-over-dx, and one for each parameter of any of them.

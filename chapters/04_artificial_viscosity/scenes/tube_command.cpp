@@ -134,7 +134,11 @@ TubeScene TubeCommand::scene(const report::Run& run) const {
     scene.right = state_of("right", right_);
     if (velocity_ != "v") {
         const auto& velocity = kind_.velocities.at(velocity_);
-        scene.left.v = velocity(scene.left.v), scene.right.v = velocity(scene.right.v);
+        try {
+            scene.left.v = velocity(scene.left.v), scene.right.v = velocity(scene.right.v);
+        } catch (const std::domain_error& error) {
+            throw app::UsageError{std::string{"--velocity: "} + error.what()};
+        }
     }
     if (!(window_[0] < window_[1]))
         throw app::UsageError{"--window: " + app::option_text::shown(window_) +
@@ -161,6 +165,7 @@ TubeScene TubeCommand::scene(const report::Run& run) const {
 void TubeCommand::run(report::Run& run) const {
     if (method_.wants_list()) return run.print(kind_.methods.text());
     const Method<1> method = method_.chosen();
+    report::tell(run, method);
     TubeScene tube_scene = scene(run);
     tube_scene.progress = run.progress();
     const TubeProblem problem = checked([&] { return kind_.problem(tube_scene); });

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "chapters/08_landau_model/baryon_state.hpp"
-#include "common/app/error.hpp"
+#include "common/exact/lorentz.hpp"
 
 namespace sph::landau {
 namespace {
@@ -111,20 +111,14 @@ shocks::TubeKind relativistic_kind() {
     };
     TubeScene defaults = problem(1);
     defaults.n = 1000;
-    const auto of_lorentz = [](double lorentz) {  // its sign is that of the velocity
-        if (!(std::abs(lorentz) >= 1))
-            throw app::UsageError{
-                "--velocity: a Lorentz factor between -1 and 1 is not allowed; allowed: 1 and above, or -1 "
-                "and below"};
-        return std::copysign(std::sqrt((1 - 1 / lorentz) * (1 + 1 / lorentz)), lorentz);
-    };
     return {relativistic_methods(),
             defaults,
             {1, 2, true},
             relativistic_tube,
             shocks_of,
-            {{"lorentz", of_lorentz}, {"four-velocity", [](double U) { return U / std::sqrt(1 + U * U); }}},
-            {{"lorentz", [](double v) { return 1 / std::sqrt((1 - v) * (1 + v)); }}}};
+            {{"lorentz", exact::relativistic::velocity_of_lorentz},
+             {"four-velocity", exact::relativistic::velocity_of_four_velocity}},
+            {{"lorentz", exact::relativistic::lorentz_factor}}};
 }
 
 TubeScene problem(int which) {

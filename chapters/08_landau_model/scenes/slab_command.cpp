@@ -50,6 +50,7 @@ void SlabCommand::declare(app::CommandLine& line) {
 void SlabCommand::run(report::Run& run) const {
     if (method_.wants_list()) return run.print(slab_methods().text());
     const SlabMethod method = method_.chosen();
+    report::tell(run, method);
     const SlabScene scene{.n = static_cast<std::size_t>(particles_),
                           .times = {time_},
                           .courant = courant_,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
 #include <utility>
 
 #include "common/app/error.hpp"
@@ -43,6 +44,17 @@ void Sides::check() const {
     check("--right", right_);
     if (left_[0] == 0 && right_[0] == 0)
         refuse("--right", "density", 0, "above 0 where the left side is a vacuum");
+}
+
+void Sides::convert(const std::function<double(double)>& velocity) {
+    for (auto* values : {&left_, &right_}) {
+        const char* option = values == &left_ ? "--left" : "--right";
+        try {
+            (*values)[1] = velocity((*values)[1]);
+        } catch (const std::domain_error& error) {
+            throw app::UsageError{fmt::format("{}: {}", option, error.what())};
+        }
+    }
 }
 
 }  // namespace exact::program

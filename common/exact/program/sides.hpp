@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ class Sides {
     /// Throws app::UsageError, which names the option and the value, unless both sides are gas within the
     /// limits with pressures of 0 and above, or one of them is a vacuum: density and pressure are 0.
     void check() const;
+
+    /// Replaces the velocities, which were told in another way, by what `velocity` makes of them. Throws
+    /// app::UsageError naming the option if it throws std::domain_error.
+    void convert(const std::function<double(double)>& velocity);
 
     template <class State>
     State left() const {

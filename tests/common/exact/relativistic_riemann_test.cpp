@@ -206,6 +206,24 @@ TEST_CASE("relativistic riemann: what has no meaning is refused by name") {
     CHECK_THROWS_WITH(solution.at(0, -1), Catch::Contains("time = -1"));
 }
 
+// Fails if the wrong way is chosen, the sign is lost, or only one side is converted.
+TEST_CASE("exact relativistic-riemann: velocities told as Lorentz factors or four-velocities") {
+    using namespace exact_program;
+    // v = -0.8 has W = 5/3 and W v = -4/3, v = 0.6 has 5/4 and 3/4.
+    const auto told = [](const std::string& how) {
+        const auto all = lines(run("relativistic-riemann --x 0.05 " + how).text);
+        REQUIRE(all.size() == 8);
+        return numbers(all.back());
+    };
+    const auto v = told("--left 1,-0.8,1 --right 2,0.6,0.1"),
+               W = told("--left 1,-5/3,1 --right 2,5/4,0.1 --velocity lorentz"),
+               U = told("--left 1,-4/3,1 --right 2,3/4,0.1 --velocity four-velocity");
+    for (std::size_t k = 0; k < v.size(); ++k) {
+        CHECK(W[k] == Approx(v[k]).epsilon(1e-13));
+        CHECK(U[k] == Approx(v[k]).epsilon(1e-13));
+    }
+}
+
 // Fails if an option does not reach the solution, for exchanged columns, and for other defaults.
 TEST_CASE("exact relativistic-riemann: header, columns, defaults and refusals") {
     using namespace exact_program;
@@ -220,15 +238,21 @@ TEST_CASE("exact relativistic-riemann: header, columns, defaults and refusals") 
     CHECK(constant(all[3], "v_star") == solution.star().v);
     CHECK(constant(all[4], "rho_star_left") == solution.star().rho_left);
     CHECK(constant(all[5], "rho_star_right") == solution.star().rho_right);
-    CHECK(all[6] == "x,rho,v,p");
+    CHECK(all[6] == "x,rho,v,p,u,lorentz");
     const RelativisticRiemann::Point at = solution.at(0.1, 0.15);
-    CHECK(numbers(all[9]) == std::vector<double>{0.1, at.rho, at.v, at.p});
+    const auto row = numbers(all[9]);
+    REQUIRE(row.size() == 6);
+    CHECK(std::vector<double>{row.begin(), row.begin() + 5} ==
+          std::vector<double>{0.1, at.rho, at.v, at.p, at.u});
+    CHECK(row[5] == Approx(1 / std::sqrt(1 - at.v * at.v)).epsilon(1e-14));
     CHECK(run("relativistic-riemann --left 10,0,13.33 --right 1,0,1e-8 --time 0.4 --points 9").text ==
           run("relativistic-riemann --points 9 --window -0.5,0.5").text);
     check_refused({
         {"relativistic-riemann", "--x", "--points"},
         {"relativistic-riemann --x 0 --left 1,0", "--left", "3"},
         {"relativistic-riemann --x 0 --left 1,1,1", "--left: velocity 1 ", "> -1 and < 1"},
+        {"relativistic-riemann --x 0 --velocity lorentz --left 1,0.5,1", "--left", "Lorentz factor"},
+        {"relativistic-riemann --x 0 --velocity rapidity --left 1,0.5,1", "--velocity", "four-velocity"},
         {"relativistic-riemann --x 0 --right 1,-1.5,1", "--right: velocity -1.5 ", "> -1 and < 1"},
         {"relativistic-riemann --x 0 --left -1,0,1", "--left: density -1 ", "1e-100"},
         {"relativistic-riemann --x 0 --left 1e-101,0,1", "--left: density 1e-101 ",

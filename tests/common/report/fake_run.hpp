@@ -29,6 +29,7 @@ class FakeRun : public report::Run {
         return {best, best, 1};
     }
     void write(const std::string&, const std::string&) override {}
+    void parameter(const std::string&, const std::string&) override {}
     void print(const std::string&) override {}
     void warn(const std::string&) override {}
     std::function<void(double)> progress() override {
