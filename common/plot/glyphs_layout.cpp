@@ -10,7 +10,7 @@ namespace {
 // In ems of the text that the script hangs on, as looks well with DejaVu Sans.
 constexpr double script_size = 0.7;
 constexpr double rise = 0.38, drop = 0.18;
-constexpr double apart = 0.06;       // each farther out where a sub- and a superscript are stacked
+constexpr double spread = 0.06;      // each farther out where a sub- and a superscript are stacked
 constexpr double gap = 0.04;         // before a script, and behind it
 constexpr double italic_gap = 0.06;  // more before a superscript of slanted text
 constexpr double capital = 0.73;     // height of capitals and digits
@@ -26,7 +26,7 @@ class LineLayout {
             if (run.below.empty() && run.above.empty()) continue;
             const double start = x + gap * size;
             const double lean = run.italic ? italic_gap * size : 0;
-            const double farther = run.below.empty() || run.above.empty() ? 0 : apart;
+            const double farther = run.below.empty() || run.above.empty() ? 0 : spread;
             const double low = set(run.below, start, y - (drop + farther) * size, script_size * size);
             const double high = run.above.empty() ? x
                                                   : set(run.above, start + lean, y + (rise + farther) * size,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "common/plot/sizes.hpp"
@@ -122,7 +123,11 @@ class Composer {
             }
             depth += width;
             if (!ticks.factor.empty()) {
-                add(text_box({frame.left, frame.top - 8}, ticks.factor, ticks_style, measure_));
+                // Above a frame narrower than it, the factor makes room for what stands on the right.
+                const bool narrow = measure_(ticks.factor, tick_text).width > frame.width();
+                style.horizontal = narrow ? Anchor::right : Anchor::left;
+                add(text_box({narrow ? frame.right : frame.left, frame.top - 8}, ticks.factor, style,
+                             measure_));
                 result_.has_factor = true;
             }
         }
@@ -138,6 +143,7 @@ class Composer {
             add(text_box({frame.left - depth - label_gap - std::max(0.0, descent - 0.1 * label_text) - out,
                           (frame.top + frame.bottom) / 2},
                          lines[k], style, measure_));
+            y_label_top_ = std::min(y_label_top_, result_.layout.texts.back().box.top);
         }
     }
 
@@ -168,7 +174,8 @@ class Composer {
         const double centre = (frame.left + frame.right) / 2;
         const auto room = [&](double left) { return 2 * std::min(centre - left, cell_right - centre); };
         constexpr double smallest = 0.75;  // of the usual size
-        double baseline = frame.top - title_gap - plan_.title_lift;
+        // A word may be longer than a low frame is high: what is above begins above it.
+        double baseline = std::min(frame.top - plan_.title_lift, y_label_top_) - title_gap;
         double width = std::max(60.0, room(cell_left));
         if (!plan_.letter.empty()) {
             const TextStyle style{.size = title_text, .colour = ink};
@@ -201,6 +208,7 @@ class Composer {
     const Measure& measure_;
     ComposedPanel result_;
     Rect core_;  // of everything so far that the margins must hold
+    double y_label_top_ = std::numeric_limits<double>::infinity();
 };
 
 /// Each label avoids the data, the notes, the other lines and their labels; its own line it may touch.

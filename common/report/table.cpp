@@ -22,8 +22,10 @@ std::string escaped(const std::string& cell) {
     return text;
 }
 
-/// "12", "-1.5e-3", "≈0.2": what a reader compares by its digits.
+/// "12", "-1.5e-3", "≈0.2", "≤ ≈0.2": what a reader compares by its digits.
 bool is_number(std::string_view cell) {
+    for (const std::string_view bound : {"≤ ", "≥ "})
+        if (cell.starts_with(bound)) cell.remove_prefix(bound.size());
     if (cell.starts_with("≈")) return true;
     if (cell.starts_with('-') || cell.starts_with('+')) cell.remove_prefix(1);
     return !cell.empty() && cell[0] >= '0' && cell[0] <= '9' &&
@@ -57,7 +59,7 @@ std::string Table::markdown() const {
         std::size_t numbers = 0, texts = 0;
         for (const auto& row : rows_) {
             width[c] = std::max(width[c], letters(row[c]));
-            if (!row[c].empty() && row[c] != "-") ++(is_number(row[c]) ? numbers : texts);
+            if (!row[c].empty() && row[c] != "-" && row[c] != "–") ++(is_number(row[c]) ? numbers : texts);
         }
         right[c] = numbers > 0 && texts == 0;
     }

@@ -52,7 +52,8 @@ std::vector<Include> includes_below(const fs::path& root, const std::vector<std:
 /// Breaches of the rules among `includes`, one line each.
 std::vector<std::string> breaches(const std::vector<Include>& includes) {
     std::vector<std::string> found;
-    for (const auto& [file, target] : includes) {
+    for (const Include& include : includes) {
+        const std::string &file = include.file, &target = include.target;
         const auto breach = [&](const std::string& rule) {
             found.push_back(file + " includes " + target + ": " + rule);
         };

@@ -33,7 +33,7 @@ exact::Riemann::State state_of(const std::string& option, const std::vector<doub
 void judge_sampling(report::Run& run, const TubeScene& scene, const TubeProblem& problem,
                     const std::array<std::size_t, 2>& count) {
     constexpr std::size_t few = 20;
-    for (const std::size_t side : {0, 1}) {
+    for (const std::size_t side : {0U, 1U}) {
         if (problem.density[side] == 0 || count[side] >= few) continue;
         const std::string text = fmt::format("the {} side has {} of {} particles in the window",
                                              side == 0 ? "left" : "right", count[side], scene.n);

@@ -10,7 +10,7 @@ namespace {
 template <class Scheme>
 TubeMethod relativistic(const char* name, const char* label, const plot::Style& look, const char* kernel,
                         double h_over_dx) {
-    constexpr double close = 1e-4;  // conservation does not hang on h: see chapter 4
+    static constexpr double close = 1e-4;  // conservation does not hang on h: see chapter 4
     using Resolution = ConsistentH<AnyKernel<1>, OfBaryons>;
     const auto build = [](const TubeMethod& method,
                           const shocks::Setup<1>& setup) -> std::unique_ptr<Simulation<1>> {

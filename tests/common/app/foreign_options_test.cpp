@@ -32,10 +32,10 @@ struct Choosy {
 TEST_CASE("foreign options are known, checked, and refused by name") {
     // Fails if the second declaration of a name takes the value away from the first, or if a foreign option
     // is unknown.
-    using Names = std::vector<std::string>;
+    using Refused = std::vector<std::string>;
     CHECK(Choosy{}.refused({}).empty());
     CHECK(Choosy{}.refused({"--gamma", "3"}).empty());
-    CHECK(Choosy{}.refused({"--fast", "--length=2", "--gamma", "3"}) == Names{"--length", "--fast"});
+    CHECK(Choosy{}.refused({"--fast", "--length=2", "--gamma", "3"}) == Refused{"--length", "--fast"});
     CHECK_THROWS_WITH(Choosy{}.refused({"--length", "0"}), "--length: 0 is not allowed; allowed: > 0");
     CHECK_THROWS_WITH(Choosy{}.refused({"--lenght", "1"}), "unknown option --lenght; did you mean --length?");
     Choosy program;

@@ -47,11 +47,11 @@ TEST_CASE("TaylorGreen: the Navier-Stokes equations") {
             const auto in_t = [&](auto member) {
                 return derivatives(0.02, [&](double s) { return flow.at(x, y, t + s).*member; }).first;
             };
-            const auto [v_x, v_y, p] = flow.at(x, y, t);
+            const State here = flow.at(x, y, t);
             const auto momentum = [&](auto member, double pressure_slope) {
                 const auto a = in_x(member), b = in_y(member);
-                size = std::max(size, std::fabs(v_x * a.first + v_y * b.first) * L / (V * V));
-                return in_t(member) + v_x * a.first + v_y * b.first + pressure_slope / rho -
+                size = std::max(size, std::fabs(here.v_x * a.first + here.v_y * b.first) * L / (V * V));
+                return in_t(member) + here.v_x * a.first + here.v_y * b.first + pressure_slope / rho -
                        nu * (a.second + b.second);
             };
             const double divergence = in_x(&State::v_x).first + in_y(&State::v_y).first;

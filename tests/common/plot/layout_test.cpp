@@ -87,7 +87,7 @@ TEST_CASE("in random figures no text overlaps another, is cut, or lies over a fr
             text += std::string(1 + random() % 9, 'w') + (k > 1 ? " " : "");
         return text;
     };
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < 120; ++round) {
         Figure figure{"random", 1 + below(3), 1 + below(3)};
         figure.panel_width = 260 + 20 * below(10);
         figure.panel_height = 220 + 20 * below(8);
@@ -95,7 +95,8 @@ TEST_CASE("in random figures no text overlaps another, is cut, or lies over a fr
         figure.share_y = below(4) == 0;
         figure.title = words(8);
         for (auto& panel : figure.panels) {
-            panel.titled(words(8)).labels(words(7), words(5));
+            const std::string title = words(8), x = words(7), y = words(5);  // in this order
+            panel.titled(title).labels(x, y);
             const double size = std::pow(10.0, below(24) - 12), offset = below(3) == 0 ? 1e4 * size : 0;
             panel.curve({0, size}, {offset, offset + size}, {.label = words(2)});
             panel.equal_aspect = below(5) == 0 && !figure.share_x && !figure.share_y;
