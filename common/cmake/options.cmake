@@ -22,6 +22,7 @@ if(NOT SPH_PORTABLE)
     target_compile_options(project_options INTERFACE -march=native)
 endif()
 if(SPH_SANITIZE)
+    target_compile_definitions(project_options INTERFACE SPH_SANITIZED)  # gcc and clang have no macro in common
     target_compile_options(project_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
                                                      -fno-omit-frame-pointer)
     target_link_options(project_options INTERFACE -fsanitize=address,undefined)

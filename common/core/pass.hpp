@@ -152,7 +152,7 @@ void finish_all(const Effects<E...>& effects, const auto& i, const auto& sum, au
     std::apply([&](const auto&... effect) { (finish(effect), ...); }, effects.list);
 }
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef SPH_SANITIZED
 inline constexpr bool all_inlined = false;  // compilers take minutes for it, and debuggers want calls
 #else
 inline constexpr bool all_inlined = true;

@@ -15,7 +15,7 @@
 #include <array>
 #endif
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef SPH_SANITIZED
 // Read by the leak detector: Mesa keeps some bytes of each context until the process ends.
 extern "C" const char* __lsan_default_options();
 extern "C" const char* __lsan_default_options() {

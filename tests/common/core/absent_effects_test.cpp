@@ -8,7 +8,7 @@
 #include "common/core/integrators.hpp"
 #include "tests/common/core/test_kernel.hpp"
 
-#if !defined(__SANITIZE_ADDRESS__)  // which is an allocator of its own
+#ifndef SPH_SANITIZED  // which is an allocator of its own
 namespace {
 // Counts every allocation of this test program; the only way to see one is to be the allocator.
 std::atomic<long> allocations{0};
@@ -90,7 +90,7 @@ TEST_CASE("what a scene does not list takes no memory") {
     CHECK(sizeof(RowOf<Tile, 3, One::Summed>) == 3 * sizeof(Tile));
 }
 
-#if !defined(__SANITIZE_ADDRESS__)
+#ifndef SPH_SANITIZED
 TEST_CASE("a step allocates nothing once the first ones are done") {
     // Fails if a pass, a search, the team or an integrator makes a temporary column.
     constexpr std::size_t n = 4000;

@@ -1,5 +1,7 @@
 #include "common/plot/save.hpp"
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -18,7 +20,7 @@ namespace {
 
 /// A folder of its own, removed at the end.
 struct Folder {
-    fs::path path = fs::temp_directory_path() / "plot_save_test";
+    fs::path path = fs::temp_directory_path() / ("sph_save_" + std::to_string(::getpid()));
     Folder() { fs::remove_all(path); }
     ~Folder() { fs::remove_all(path); }
 };
