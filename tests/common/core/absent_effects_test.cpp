@@ -96,8 +96,9 @@ TEST_CASE("a step allocates nothing once the first ones are done") {
     constexpr std::size_t n = 4000;
     Particles<2, Position, Velocity, Mass, Pressure, Density, Acceleration, SmoothingLength> particles{n};
     for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t row = i / 64;
         particles.x[0][i] = 0.01 * static_cast<double>(i % 64);
-        particles.x[1][i] = 0.01 * static_cast<double>(i / 64);
+        particles.x[1][i] = 0.01 * static_cast<double>(row);
         particles.v[0][i] = i % 2 == 0 ? 0.1 : -0.1;
         particles.m[i] = particles.p[i] = particles.rho[i] = 1;
         particles.h[i] = i % 3 == 0 ? 0.03 : 0.012;

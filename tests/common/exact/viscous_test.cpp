@@ -75,7 +75,8 @@ TEST_CASE("TaylorGreen: energy, mean pressure, decay") {
         constexpr int n = 8;
         double energy = 0, pressure = 0, fastest = 0;
         for (int k = 0; k < n * n; ++k) {
-            const auto [v_x, v_y, p] = flow.at(L * (k % n) / n, L * (k / n) / n, t);
+            const int row = k / n, column = k % n;
+            const auto [v_x, v_y, p] = flow.at(L * column / n, L * row / n, t);
             energy += (v_x * v_x + v_y * v_y) / (2 * n * n);
             pressure += p / (n * n);
             fastest = std::max(fastest, std::hypot(v_x, v_y));

@@ -62,7 +62,7 @@ TEST_CASE("save writes a PNG with its metadata and the CSV, the same bytes each 
     const Folder folder;
     const Metadata metadata{"./tutorial run 01", "h=1.2", "abc123"};
     const Figure figure = with_everything();
-    REQUIRE(faults(figure) == std::vector<std::string>{});
+    REQUIRE(faults(figure).empty());
     Studio studio;
     studio.save(figure, folder.path / "new", metadata);
     const std::string png = app::read_file(folder.path / "new" / "everything.png");
