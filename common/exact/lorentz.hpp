@@ -1,6 +1,9 @@
 #pragma once
 #include <cmath>
+#include <functional>
+#include <map>
 #include <stdexcept>
+#include <string>
 
 /// The ways to tell a velocity v, |v| < 1 = c: the Lorentz factor W = 1/sqrt(1 - v^2) and the four-velocity
 /// W v. Of v near 1 no more is known than 1e-16 W^2.
@@ -23,6 +26,15 @@ inline double velocity_of_lorentz(double W) {
 }
 inline double velocity_of_four_velocity(double U) {
     return U / std::sqrt(1 + U * U);
+}
+
+/// The ways by their names on command lines, and what makes v of each.
+inline const std::map<std::string, std::function<double(double)>>& velocities() {
+    static const std::map<std::string, std::function<double(double)>> all{
+        {"v", [](double v) { return v; }},
+        {"lorentz", velocity_of_lorentz},
+        {"four-velocity", velocity_of_four_velocity}};
+    return all;
 }
 
 }  // namespace exact::relativistic

@@ -121,7 +121,7 @@ void TubeCommand::declare(app::CommandLine& line) {
         .number("jitter", jitter_, {0, 0.49}, "spacings", "largest random shift of each particle")
         .number("courant", courant_, {0.001, 0.6}, "", "step over the shortest time between neighbours");
     if (!kind_.velocities.empty()) {
-        std::vector<std::string> names{"v"};
+        std::vector<std::string> names;
         for (const auto& [name, make] : kind_.velocities) names.push_back(name);
         line.choice("velocity", velocity_, names, "how the velocities of --left and --right are given");
     }
@@ -132,7 +132,7 @@ TubeScene TubeCommand::scene(const report::Run& run) const {
     TubeScene scene = kind_.defaults;
     scene.left = state_of("left", left_);
     scene.right = state_of("right", right_);
-    if (velocity_ != "v") {
+    if (!kind_.velocities.empty()) {
         const auto& velocity = kind_.velocities.at(velocity_);
         try {
             scene.left.v = velocity(scene.left.v), scene.right.v = velocity(scene.right.v);

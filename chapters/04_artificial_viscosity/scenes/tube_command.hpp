@@ -15,8 +15,8 @@ struct TubeKind {
     app::Range gamma;                                      ///< allowed
     std::function<TubeProblem(const TubeScene&)> problem;  ///< throws std::invalid_argument for what is none
     std::function<report::Quantities(const TubeScene&, const TubeRun&)> more{};  ///< further rows
-    /// Other ways to give a velocity than as v, by name, and what makes v of them, which throws
-    /// std::domain_error for a number that is none.
+    /// The ways to give a velocity, "v" among them, and what makes v of it, which throws std::domain_error
+    /// for a number that is none. Empty: as v only.
     std::map<std::string, std::function<double(double)>> velocities{};
     std::map<std::string, std::function<double(double v)>> columns{};  ///< further ones of profile.csv
 };

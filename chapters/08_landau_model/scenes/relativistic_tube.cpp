@@ -116,8 +116,7 @@ shocks::TubeKind relativistic_kind() {
             {1, 2, true},
             relativistic_tube,
             shocks_of,
-            {{"lorentz", exact::relativistic::velocity_of_lorentz},
-             {"four-velocity", exact::relativistic::velocity_of_four_velocity}},
+            exact::relativistic::velocities(),
             {{"lorentz", exact::relativistic::lorentz_factor}}};
 }
 

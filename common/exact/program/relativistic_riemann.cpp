@@ -1,8 +1,6 @@
 #include "common/exact/relativistic_riemann.hpp"
 
 #include <cmath>
-#include <functional>
-#include <map>
 
 #include "common/exact/lorentz.hpp"
 #include "common/exact/program/csv.hpp"
@@ -12,15 +10,6 @@
 
 namespace exact::program {
 namespace {
-
-using Conversion = std::function<double(double)>;
-const std::map<std::string, Conversion>& velocities() {
-    static const std::map<std::string, Conversion> all{
-        {"v", [](double v) { return v; }},
-        {"lorentz", relativistic::velocity_of_lorentz},
-        {"four-velocity", relativistic::velocity_of_four_velocity}};
-    return all;
-}
 
 /// The defaults are problem 1 of Marti and Mueller, with a pressure of 13.33 (not 40/3, which changes the
 /// fourth digit of p_star), and of 1e-8 instead of 0 on the right.
@@ -33,7 +22,9 @@ class RelativisticRiemannSolution : public Solution {
 
     void declare(app::CommandLine& command) override {
         sides_.declare(command);
-        command.choice("velocity", velocity_, {"v", "lorentz", "four-velocity"},
+        std::vector<std::string> names;
+        for (const auto& [name, make] : relativistic::velocities()) names.push_back(name);
+        command.choice("velocity", velocity_, names,
                        "how those of --left and --right are told; a Lorentz factor has the sign of v");
         command.number("gamma", gamma_, {1, 2, true}, "", "adiabatic index");
         command.number("time", time_, app::non_negative, "time", "0: the initial states");
@@ -48,7 +39,7 @@ class RelativisticRiemannSolution : public Solution {
     std::string csv(const app::CommandLine& command) const override {
         const auto points = points_.values(command);
         Sides sides = sides_;
-        sides.convert(velocities().at(velocity_));
+        sides.convert(relativistic::velocities().at(velocity_));
         sides.check();
         using State = RelativisticRiemann::State;
         const RelativisticRiemann solution{sides.left<State>(), sides.right<State>(), gamma_};
