@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <initializer_list>
 
 /// Sound on an even line of particles: the exact dispersion relation of the SPH equations (Monaghan 2005,
 /// section 6.1, corrected), by sums over the lattice.

@@ -10,7 +10,7 @@ namespace plot {
 namespace {
 
 // "-3" -> "−3", "+9" and "09" -> "9"
-std::string with_true_minus(std::string text) {
+std::string with_true_minus(const std::string& text) {
     return text.starts_with('-') ? "\u2212" + text.substr(1) : text;
 }
 

@@ -24,7 +24,7 @@ int Occupancy::row(double y) const {
 
 void Occupancy::mark(int column, int row, double weight) {
     if (column < 0 || column >= columns_ || row < 0 || row >= rows_) return;
-    float& cell = weights_[static_cast<std::size_t>(row * columns_ + column)];
+    float& cell = weights_[place(row, column)];
     cell = std::max(cell, static_cast<float>(weight));
 }
 
@@ -111,7 +111,7 @@ double Occupancy::covered(const Rect& rect) const {
     for (int r = top; r <= bottom; ++r)
         for (int c = left; c <= right; ++c) {
             const bool outside = c < 0 || c >= columns_ || r < 0 || r >= rows_;
-            sum += outside ? 1.0 : static_cast<double>(weights_[static_cast<std::size_t>(r * columns_ + c)]);
+            sum += outside ? 1.0 : static_cast<double>(weights_[place(r, c)]);
         }
     return sum / (static_cast<double>(right - left + 1) * static_cast<double>(bottom - top + 1));
 }

@@ -33,6 +33,10 @@ class Occupancy {
     void add_band(const Band& band, const AxisMap& x_map, const AxisMap& y_map);
 
     Rect area_;
+    std::size_t place(int row, int column) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column);
+    }
     int columns_ = 0, rows_ = 0;
     std::vector<float> weights_;  // row by row
 };

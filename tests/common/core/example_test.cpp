@@ -8,8 +8,9 @@ example::Drop lattice(std::size_t side) {
     example::Drop drop{side * side};
     const double dx = 1.0 / static_cast<double>(side);
     for (std::size_t i = 0; i < drop.size(); ++i) {
+        const std::size_t row = i / side;
         drop.x[0][i] = (static_cast<double>(i % side) + 0.5) * dx - 0.5;
-        drop.x[1][i] = (static_cast<double>(i / side) + 0.5) * dx - 0.5;
+        drop.x[1][i] = (static_cast<double>(row) + 0.5) * dx - 0.5;
         drop.m[i] = dx * dx;
     }
     return drop;

@@ -197,7 +197,7 @@ TEST_CASE("a state without meaning stops the run, naming time, particle and quan
         return std::string{};
     };
     reset();
-    CHECK(message(0.5) == "");
+    CHECK(message(0.5).empty());
     particles.drho_dt[1] = -3;
     CHECK(message(0.5) == "unphysical state at t = 3: density of particle 1 is -0.5");
     reset();
@@ -209,7 +209,7 @@ TEST_CASE("a state without meaning stops the run, naming time, particle and quan
     CHECK(message(0.5) == "unphysical state at t = 4: thermal energy of particle 0 is 0");
     reset();
     CHECK(message(1e-20) == "unphysical state at t = 4: the time step is 1e-20");
-    CHECK(message(std::numeric_limits<double>::infinity()) != "");
+    CHECK_FALSE(message(std::numeric_limits<double>::infinity()).empty());
     CHECK(t == 4);
     Pendulums scene;
     ReversibleSteps reversible{scene.motion, scene.rates(), [] { return 0.5; }, 0.1};

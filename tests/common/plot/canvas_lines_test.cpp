@@ -27,7 +27,8 @@ double exact_coverage(int x, int y, const Point& a, const Point& b, double half_
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     const Point way{(b.x - a.x) / length, (b.y - a.y) / length};
     for (int i = 0; i < n * n; ++i) {
-        const Point p{x + (i % n + 0.5) / n - a.x, y + (i / n + 0.5) / n - a.y};
+        const int row = i / n;
+        const Point p{x + (i % n + 0.5) / n - a.x, y + (row + 0.5) / n - a.y};
         const double along = std::clamp(p.x * way.x + p.y * way.y, 0.0, length);
         if (std::hypot(p.x - along * way.x, p.y - along * way.y) < half_width) ++inside;
     }

@@ -148,10 +148,11 @@ TEST_CASE("more glyphs than there is room for are drawn nevertheless") {
             picture::ink(written(canvas, letter, {300, black, Anchor::centre, Vertical::middle, 0})).sum;
     }
     const Image image = drawn(canvas, 4000, 2000, [](Canvas& c) {
-        for (int i = 0; i < 26; ++i)
-            c.text({150.0 + 300 * (i % 13), 300.0 + 700 * (i / 13)},
-                   std::string(1, static_cast<char>('A' + i)),
+        for (int i = 0; i < 26; ++i) {
+            const int row = i / 13;
+            c.text({150.0 + 300 * (i % 13), 300.0 + 700 * row}, std::string(1, static_cast<char>('A' + i)),
                    {300, black, Anchor::centre, Vertical::middle, 0});
+        }
     });
     CHECK(picture::ink(image).sum == Approx(expected).epsilon(1e-6));  // fails if full means forgotten
     const auto again = picture::ink(written(canvas, "M", {61, black, Anchor::left, Vertical::baseline, 0}));
