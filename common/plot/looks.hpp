@@ -8,9 +8,9 @@ namespace plot {
 
 inline constexpr Colour black{0, 0, 0};
 
-/// The exact solution.
+/// The exact solution: a thin black line over everything else.
 inline Style exact(std::string label = "exact") {
-    return {.label = std::move(label), .colour = black};
+    return {.label = std::move(label), .colour = black, .width = 1, .layer = 2};
 }
 /// The competitor that a chapter measures itself against, mostly a grid.
 inline Style competitor(std::string label, Marker marker = Marker::cross) {

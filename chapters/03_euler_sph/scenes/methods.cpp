@@ -1,6 +1,6 @@
 #include "chapters/03_euler_sph/scenes/methods.hpp"
 
-#include <array>
+#include "common/plot/method_looks.hpp"
 
 namespace sph::euler {
 
@@ -15,17 +15,13 @@ const std::vector<std::string>& resolutions_at_rest() {
 }
 
 std::vector<GasMethod> compared_methods(double best_h_over_dx) {
-    using plot::Marker;
     std::vector<GasMethod> all{
         {"fixed-h", "cubic", 1.2, "fixed-h", "one $h$"},
         {"averaged-h", "cubic", 1.2, "averaged-h", "mean of both $h$"},
         {"without-omega", "cubic", 1.2, "without-omega", "own $h$, without Ω"},
         {"consistent-h", "cubic", 1.2, "consistent-h", "own $h$, with Ω"},
         {"consistent-h", "super-gaussian", best_h_over_dx, "super-gaussian", "with Ω, super-Gaussian"}};
-    constexpr std::array markers{Marker::square, Marker::triangle_up, Marker::diamond, Marker::circle,
-                                 Marker::triangle_down};
-    for (std::size_t k = 0; k < all.size(); ++k)
-        all[k].look = {.label = all[k].label, .colour = plot::cycle(k), .marker = markers[k]};
+    for (GasMethod& method : all) method.look = plot::look_of(method.name, method.label);
     return all;
 }
 

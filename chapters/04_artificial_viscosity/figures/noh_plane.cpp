@@ -54,7 +54,7 @@ void noh_plane(report::Run& run) {
     plot::Panel& profile = figure.at(0, 2).labels("$r$", "ρ").x_range(0, 0.35).y_range(0, 19);
     draw_profile(profile, {plain.x, plain.r, plain.rho}, 0.35, signal.styled());
     draw_profile(profile, {fine.x, fine.r, fine.rho}, 0.35, best.styled());
-    draw_profile(profile, {grid.x, grid.r, grid.rho}, 0.35, plane_grid());
+    draw_profile(profile, {grid.x, grid.r, grid.rho}, 0.35, plot::competitor("grid"));
     const exact::Noh exact{2, scene.gamma, 1, 1};
     plot::draw_exact(profile, 0, 0.35, [&](double r) { return exact.at(r, scene.time).rho; }).style.layer = 2;
     run.save(figure);

@@ -15,9 +15,4 @@ void draw_map(plot::Panel& panel, const PlaneField& field, double side, double h
 /// The density against r up to r_end.
 void draw_profile(plot::Panel& panel, const PlaneField& field, double r_end, const plot::Style& look);
 
-/// The competitor in the plane.
-inline plot::Style plane_grid() {
-    return {.label = "grid", .colour = plot::Colour{0.35, 0.35, 0.35}, .marker = plot::Marker::cross};
-}
-
 }  // namespace sph::shocks

@@ -30,7 +30,7 @@ void sedov(report::Run& run) {
     report::Comparison table = sedov_table();
     const auto add = [&](const SedovScene& one, const Method<2>& method, const std::string& name,
                          const std::string& label) {
-        const SedovRun blast = run_sedov(one, method);
+        SedovRun blast = run_sedov(one, method);
         table.add(run, name, blast.r.size(), {label, std::to_string(blast.r.size())},
                   blast.measured() + report::Quantities{{"energy_drift", blast.energy_drift}});
         return blast;
@@ -60,7 +60,7 @@ void sedov(report::Run& run) {
     draw_map(figure.at(0, 0).titled("signal velocity, a quarter"), {fine.x, fine.r, fine.rho}, 0.5, 4, 3.2);
     plot::Panel& profile = figure.at(0, 1).labels("$r$", "ρ").x_range(0, 0.5).y_range(0, 4.2);
     draw_profile(profile, {fine.x, fine.r, fine.rho}, 0.5, signal.styled());
-    draw_profile(profile, {grid.x, grid.r, grid.rho}, 0.5, plane_grid());
+    draw_profile(profile, {grid.x, grid.r, grid.rho}, 0.5, plot::competitor("grid"));
     const exact::Sedov exact{2, scene.gamma, 1, 1};
     plot::draw_exact(profile, 0, 0.5, [&](double r) { return exact.at(r, fine.time).rho; }).style.layer = 2;
     run.save(figure);

@@ -24,7 +24,7 @@ std::vector<Contestant<Scene, Result>> contestants(OfMethod of_method, OfGrid of
     for (const Method<2>& method : viscous_methods())
         all.push_back({method.name, method.styled(),
                        [of_method, method](const Scene& scene) { return of_method(scene, method); }});
-    all.push_back({"grid", plane_grid(), of_grid});
+    all.push_back({"grid", plot::competitor("grid"), of_grid});
     return all;
 }
 

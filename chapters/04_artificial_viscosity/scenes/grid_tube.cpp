@@ -5,7 +5,7 @@
 
 #include "common/app/clock.hpp"
 #include "common/exact/woodward_colella.hpp"
-#include "common/plot/looks.hpp"
+#include "common/plot/method_looks.hpp"
 
 namespace sph::shocks {
 namespace {
@@ -102,12 +102,11 @@ GridWave grid_standing_wave(std::size_t n, exact::Frame frame) {
 }
 
 const std::vector<Grid>& grids() {
-    static const std::vector<Grid> all{
-        {"grid", "grid, Eulerian", exact::Frame::eulerian, plot::competitor("grid, Eulerian")},
-        {"grid-lagrangian",
-         "grid, Lagrangian",
-         exact::Frame::lagrangian,
-         {.label = "grid, Lagrangian", .colour = plot::Colour{0.5, 0.5, 0.5}, .marker = plot::Marker::plus}}};
+    static const auto grid = [](const char* name, const char* label, exact::Frame frame) {
+        return Grid{name, label, frame, plot::look_of(name, label)};
+    };
+    static const std::vector<Grid> all{grid("grid", "grid, Eulerian", exact::Frame::eulerian),
+                                       grid("grid-lagrangian", "grid, Lagrangian", exact::Frame::lagrangian)};
     return all;
 }
 

@@ -1,5 +1,6 @@
 #include "chapters/04_artificial_viscosity/physical_viscosity.hpp"
 #include "chapters/04_artificial_viscosity/scenes/dissipating.hpp"
+#include "common/plot/method_looks.hpp"
 
 namespace sph::shocks {
 namespace {
@@ -16,46 +17,34 @@ using Stress = Dissipation<StressViscosity, NoConduction, StressDetector>;
 constexpr double narrow = 1.6, wide = 2.6;
 
 template <class Scheme>
-Method<2> wendland(const char* name, const char* label, const plot::Style& look, const Scheme& scheme,
-                   double h_over_dx = narrow) {
-    return dissipating<2>({name, label, look, "wendland-c4", h_over_dx}, scheme);
+Method<2> wendland(const char* name, const char* label, const Scheme& scheme, double h_over_dx = narrow) {
+    return dissipating<2>({name, label, plot::look_of(name), "wendland-c4", h_over_dx}, scheme);
 }
 template <class Scheme>
-Method<2> cubic(const char* name, const char* label, const plot::Style& look, const Scheme& scheme) {
-    return dissipating<2>({name, label, look, "cubic", 1.2}, scheme);
-}
-
-plot::Style look(std::size_t colour, plot::Marker marker) {
-    return {.colour = plot::cycle(colour), .marker = marker};
+Method<2> cubic(const char* name, const char* label, const Scheme& scheme) {
+    return dissipating<2>({name, label, plot::look_of(name), "cubic", 1.2}, scheme);
 }
 
 }  // namespace
 
 const Methods<2>& plane_methods() {
-    using plot::Marker;
     static const Methods<2> methods{
         "reconstructed",
-        {cubic("none-cubic", "no viscosity, cubic spline",
-               {.colour = plot::cycle(6), .dash = plot::Dash::dashed}, Dissipation<NoViscosity>{}),
-         cubic("signal-cubic", "signal velocity, cubic spline", look(4, Marker::cross),
-               Dissipation<SignalViscosity>{}),
-         wendland("none", "no viscosity", look(7, Marker::plus), Dissipation<NoViscosity>{}),
-         wendland("alpha-beta", "α = 1, β = 2", look(1, Marker::square), Dissipation<AlphaBeta>{}),
-         wendland("signal", "signal velocity", look(5, Marker::triangle_up), Dissipation<SignalViscosity>{}),
-         wendland("balsara", "Balsara", look(2, Marker::triangle_up),
-                  Dissipation<Sheared, NoConduction, Balsara>{}),
-         wendland("colagrossi", "Colagrossi", look(3, Marker::diamond),
-                  Dissipation<Sheared, NoConduction, Colagrossi>{}),
-         wendland("reconstructed", "reconstructed", look(0, Marker::circle), Reconstructed{})}};
+        {cubic("none-cubic", "no viscosity, cubic spline", Dissipation<NoViscosity>{}),
+         cubic("signal-cubic", "signal velocity, cubic spline", Dissipation<SignalViscosity>{}),
+         wendland("none", "no viscosity", Dissipation<NoViscosity>{}),
+         wendland("alpha-beta", "α = 1, β = 2", Dissipation<AlphaBeta>{}),
+         wendland("signal", "signal velocity", Dissipation<SignalViscosity>{}),
+         wendland("balsara", "Balsara", Dissipation<Sheared, NoConduction, Balsara>{}),
+         wendland("colagrossi", "Colagrossi", Dissipation<Sheared, NoConduction, Colagrossi>{}),
+         wendland("reconstructed", "reconstructed", Reconstructed{})}};
     return methods;
 }
 
 const Methods<2>& viscous_methods() {
-    using plot::Marker;
-    static const Methods<2> methods{
-        "pairwise",
-        {wendland("pairwise", "pairwise (8.9)", look(0, Marker::circle), Pairwise{}, wide),
-         wendland("stress", "stress", look(1, Marker::square), Stress{}, wide)}};
+    static const Methods<2> methods{"pairwise",
+                                    {wendland("pairwise", "pairwise (8.9)", Pairwise{}, wide),
+                                     wendland("stress", "stress", Stress{}, wide)}};
     return methods;
 }
 

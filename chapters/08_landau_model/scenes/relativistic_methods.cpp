@@ -3,13 +3,13 @@
 #include "chapters/01_kernel_interpolation/any_kernel.hpp"
 #include "chapters/08_landau_model/relativistic_gas.hpp"
 #include "chapters/08_landau_model/scenes/relativistic_tube.hpp"
+#include "common/plot/method_looks.hpp"
 
 namespace sph::landau {
 namespace {
 
 template <class Scheme>
-TubeMethod relativistic(const char* name, const char* label, const plot::Style& look, const char* kernel,
-                        double h_over_dx) {
+TubeMethod relativistic(const char* name, const char* label, const char* kernel, double h_over_dx) {
     static constexpr double close = 1e-4;  // conservation does not hang on h: see chapter 4
     using Resolution = ConsistentH<AnyKernel<1>, OfBaryons>;
     const auto build = [](const TubeMethod& method,
@@ -20,24 +20,17 @@ TubeMethod relativistic(const char* name, const char* label, const plot::Style& 
             setup.n, Resolution{HRule{method.h_over_dx}, close, AnyKernel<1>{method.kernel}}, *state,
             with_parameters(Scheme{}, method.parameters), setup.box, setup.courant, setup.threads);
     };
-    return {name, label, look, kernel, h_over_dx, parameters_of(Scheme{}), build};
-}
-
-plot::Style look(std::size_t colour, plot::Marker marker) {
-    return {.colour = plot::cycle(colour), .marker = marker};
+    return {name, label, plot::look_of(name), kernel, h_over_dx, parameters_of(Scheme{}), build};
 }
 
 }  // namespace
 
 const shocks::Methods<1>& relativistic_methods() {
-    using plot::Marker;
     static const shocks::Methods<1> methods{
         "reconstructed",
-        {relativistic<NoExchange>("none", "no dissipation", look(7, Marker::plus), "cubic", 1.2),
-         relativistic<ChowMonaghanExchange>("chow-monaghan", "Chow–Monaghan", look(1, Marker::square),
-                                            "cubic", 1.2),
-         relativistic<ReconstructedScheme>("reconstructed", "reconstructed", look(0, Marker::circle),
-                                           "quadratic", 1.0)}};
+        {relativistic<NoExchange>("none", "no dissipation", "cubic", 1.2),
+         relativistic<ChowMonaghanExchange>("chow-monaghan", "Chow–Monaghan", "cubic", 1.2),
+         relativistic<ReconstructedScheme>("reconstructed", "reconstructed", "quadratic", 1.0)}};
     return methods;
 }
 

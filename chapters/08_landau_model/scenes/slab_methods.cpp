@@ -2,6 +2,7 @@
 #include "chapters/08_landau_model/entropic_fluid.hpp"
 #include "chapters/08_landau_model/fluids.hpp"
 #include "chapters/08_landau_model/scenes/slab.hpp"
+#include "common/plot/method_looks.hpp"
 
 namespace sph::landau {
 namespace {
@@ -45,32 +46,27 @@ const Build without_omega = [](const auto& method, const SlabSetup& setup) {
     return slab_of(setup, WithoutOmega<K, OfEntropy>{HRule{method.h_over_dx}, 1e-12, K{method.kernel}});
 };
 
-plot::Style look(std::size_t colour, plot::Marker marker) {
-    return {.colour = plot::cycle(colour), .marker = marker};
-}
-
 }  // namespace
 
 const report::Methods<SlabMethod>& slab_methods() {
-    using plot::Marker;
     static const report::Methods<SlabMethod> methods{
         "narrow-graded",
-        {{{"fixed-4", "fixed $h$ = 4", look(7, Marker::plus), "cubic", 4, {}, fixed}},
-         {{"fixed-10", "fixed $h$ = 10", look(6, Marker::cross), "cubic", 10, {}, fixed}},
-         {{"fixed-20", "fixed $h$ = 20", look(5, Marker::triangle_down), "cubic", 20, {}, fixed}},
-         {{"variable", "$h$ = 2 ν/$s$*", look(1, Marker::square), "cubic", 2, {}, variable}},
+        {{{"fixed-4", "fixed $h$ = 4", plot::look_of("fixed-4"), "cubic", 4, {}, fixed}},
+         {{"fixed-10", "fixed $h$ = 10", plot::look_of("fixed-10"), "cubic", 10, {}, fixed}},
+         {{"fixed-20", "fixed $h$ = 20", plot::look_of("fixed-20"), "cubic", 20, {}, fixed}},
+         {{"variable", "$h$ = 2 ν/$s$*", plot::look_of("variable"), "cubic", 2, {}, variable}},
          {{"without-omega",
            "$h$ = 2 ν/$s$*, no grad-h terms",
-           look(4, Marker::diamond),
+           plot::look_of("without-omega"),
            "cubic",
            2,
            {},
            without_omega}},
-         {{"graded", "$h$ = 2 ν/$s$*, graded", look(3, Marker::square), "cubic", 2, {}, variable}, true},
-         {{"narrow", "quadratic, $h$ = ν/$s$*", look(2, Marker::triangle_up), "quadratic", 1, {}, variable}},
+         {{"graded", "$h$ = 2 ν/$s$*, graded", plot::look_of("graded"), "cubic", 2, {}, variable}, true},
+         {{"narrow", "quadratic, $h$ = ν/$s$*", plot::look_of("quadratic-h"), "quadratic", 1, {}, variable}},
          {{"narrow-graded",
            "quadratic, $h$ = ν/$s$*, graded",
-           look(0, Marker::circle),
+           plot::look_of("narrow-graded"),
            "quadratic",
            1,
            {},
