@@ -19,8 +19,10 @@ namespace report {
 namespace {
 
 /// Options that do not change what a figure shows: they must not change its bytes either.
-std::vector<std::string> not_of_the_figure() {
-    return {"out", "only", "scene", "list", "threads", "timed", "update-text", "check-text"};
+std::vector<std::string> not_of_the_figure(std::vector<std::string> more = {}) {
+    more.insert(more.end(),
+                {"out", "only", "scene", "list", "threads", "timed", "update-text", "check-text"});
+    return more;
 }
 
 /// The word behind --name, or "".
@@ -52,7 +54,7 @@ struct Chapter::Implementation {
 
     Settings settings;
     std::optional<plot::Studio> studio;
-    Blocks blocks;
+    Told told;
 
     Implementation(Place where, const std::string& title, std::string source_revision,
                    std::filesystem::path root_folder)
@@ -213,7 +215,7 @@ void Chapter::Implementation::run_scene() {
         settings.metadata.csv_head += "# " + name + "=" + value + "\n";
     const Results older = older_results();
     app::Progress progress{place.title, 1};
-    FigureRun figure_run{scene, true, settings, studio, blocks, progress};
+    FigureRun figure_run{scene, true, settings, studio, told, progress};
     entry.task.make(figure_run);
     if (figure_run.results().rows().empty()) return;
     Results all = figure_run.results();
@@ -244,7 +246,7 @@ void Chapter::Implementation::run_figures() {
         settings.metadata.command = place.command + " --only " + entry.name;
         if (settings.metadata.parameters != "default")
             settings.metadata.command += " " + settings.metadata.parameters;
-        FigureRun figure_run{entry.name, entry.timed, settings, studio, blocks, progress};
+        FigureRun figure_run{entry.name, entry.timed, settings, studio, told, progress};
         entry.task.make(figure_run);
         fresh.append(figure_run.results());
         finished.push_back(entry.name);
@@ -252,11 +254,14 @@ void Chapter::Implementation::run_figures() {
         if (!check_text) write_results(fresh, older, finished);
         progress.finish(entry.name);
     }
-    if (check_text) compare_text(root / place.readme, blocks);
+    const Text text{root / place.readme, root / "README.md", place.number};
+    if (check_text) compare_text(text, told.blocks, told.claims);
     if (update_text) {
-        rewrite_text(root / place.readme, blocks);
-        rewrite_seconds(root / "README.md", place.folder, app::process_cpu_seconds() - begin);
+        rewrite_text(text.own, told.blocks);
+        rewrite_seconds(text.book, place.folder, app::process_cpu_seconds() - begin);
+        compare_text(text, told.blocks, told.claims);
     }
+    if (!check_text && !update_text) tell_claims(told.claims, options.changed(not_of_the_figure({"quick"})));
 }
 
 Chapter::Chapter(Place place, const std::string& title, std::string revision, std::filesystem::path root)

@@ -24,6 +24,9 @@ struct Quantity {
 };
 using Quantities = std::vector<Quantity>;
 
+/// Which runs have the numbers that a claim speaks of.
+enum class Needs { full_run, any_run };
+
 /// What one run of a chapter's program collects. A figure's function gets it, computes, and hands over what
 /// it measured and drew.
 class Run {
@@ -44,6 +47,12 @@ class Run {
     /// A block of the README. Throws std::invalid_argument if the run has already filled it with another
     /// text.
     virtual void fill(const std::string& name, const std::string& text) = 0;
+    /// What the sentence between <!-- claim NAME --> and <!-- end --> in the chapter's text says, asserted
+    /// with the numbers of this run. A quick run evaluates it only if its sizes suffice; the full run fails
+    /// where a claim does not hold, has no sentence, or a sentence nobody asserts. Throws
+    /// std::invalid_argument for a name that the run has asserted already.
+    virtual void claim(const std::string& name, const std::function<bool()>& holds,
+                       Needs needs = Needs::full_run) = 0;
     /// Like report::time, with fewer samples if quick; a single call where only the text is being checked.
     virtual Timing time(const std::function<void()>& work) = 0;
     /// Into --out, atomically.
@@ -96,6 +105,7 @@ struct Place {
     std::string command;           ///< that runs it: "./tutorial run 01"
     std::string title;             ///< of its progress: "chapter 1"
     std::filesystem::path readme;  ///< whose marked blocks it fills, from the root
+    std::string number{};          ///< of the chapter, "01", before its claims in the book's README.md
 
     /// That of a chapter's folder, "01_kernel_interpolation". Throws std::invalid_argument for another form.
     static Place of_chapter(const std::string& folder);

@@ -11,13 +11,13 @@
 namespace report {
 
 FigureRun::FigureRun(std::string scene, bool timed, const Settings& settings,
-                     std::optional<plot::Studio>& studio, Blocks& blocks, app::Progress& progress)
+                     std::optional<plot::Studio>& studio, Told& told, app::Progress& progress)
     : scene_{std::move(scene)},
       timed_{timed},
       settings_{settings},
       metadata_{settings.metadata},
       studio_{studio},
-      blocks_{blocks},
+      told_{told},
       progress_{progress} {}
 
 /// Times of a figure that runs beside others would be wrong.
@@ -42,9 +42,16 @@ void FigureRun::save(const plot::Figure& figure) {
 
 void FigureRun::fill(const std::string& name, const std::string& text) {
     require_timed(text.find("≈") != std::string::npos, "the text " + name);
-    const auto [place, added] = blocks_.emplace(name, text);
+    const auto [place, added] = told_.blocks.emplace(name, text);
     if (!added && place->second != text)
         throw std::invalid_argument{"the text " + name + " is filled twice, with different contents"};
+}
+
+void FigureRun::claim(const std::string& name, const std::function<bool()>& holds, Needs needs) {
+    const bool skipped = quick() && needs == Needs::full_run;
+    const Verdict verdict = skipped ? Verdict::skipped : holds() ? Verdict::holds : Verdict::fails;
+    if (!told_.claims.emplace(name, verdict).second)
+        throw std::invalid_argument{"the claim " + name + " is asserted twice"};
 }
 
 Timing FigureRun::time(const std::function<void()>& work) {

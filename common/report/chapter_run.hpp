@@ -6,6 +6,7 @@
 #include "common/app/progress.hpp"
 #include "common/plot/save.hpp"
 #include "common/report/chapter.hpp"
+#include "common/report/claims.hpp"
 
 /// How a chapter's figures are run, and what they leave. Used by chapter.cpp.
 namespace report {
@@ -20,13 +21,19 @@ struct Settings {
     plot::Metadata metadata;  ///< its csv_head heads all CSV files
 };
 
+/// What the figures say of the text.
+struct Told {
+    Blocks blocks;
+    Claims claims;
+};
+
 /// One figure's or scene's run: its rows are kept apart until it is complete.
 class FigureRun : public Run {
   public:
-    /// `studio` is opened at the first figure that is drawn; `blocks` are those of all figures; only a
+    /// `studio` is opened at the first figure that is drawn; `told` is that of all figures; only a
     /// `timed` run may hand over times.
     FigureRun(std::string scene, bool timed, const Settings& settings, std::optional<plot::Studio>& studio,
-              Blocks& blocks, app::Progress& progress);
+              Told& told, app::Progress& progress);
 
     bool quick() const override { return settings_.quick; }
     bool checking() const override { return settings_.check_text; }
@@ -36,6 +43,7 @@ class FigureRun : public Run {
                 const std::string& unit) override;
     void save(const plot::Figure& figure) override;
     void fill(const std::string& name, const std::string& text) override;
+    void claim(const std::string& name, const std::function<bool()>& holds, Needs needs) override;
     Timing time(const std::function<void()>& work) override;
     void write(const std::string& file_name, const std::string& text) override;
     void parameter(const std::string& name, const std::string& value) override;
@@ -53,7 +61,7 @@ class FigureRun : public Run {
     const Settings& settings_;
     plot::Metadata metadata_;  // the settings', and what parameter() adds
     std::optional<plot::Studio>& studio_;
-    Blocks& blocks_;
+    Told& told_;
     app::Progress& progress_;
     Results results_;
 };

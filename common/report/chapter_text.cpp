@@ -9,13 +9,32 @@
 
 namespace report {
 
-void compare_text(const std::filesystem::path& readme, const Blocks& blocks) {
-    const auto found = differences(app::read_file(readme), blocks);
+void compare_text(const Text& text, const Blocks& blocks, const Claims& claims) {
+    const std::filesystem::path& readme = text.own;
+    const std::string own = app::read_file(readme);
+    auto found = differences(own, blocks);
+    try {
+        const std::string book = std::filesystem::exists(text.book) ? app::read_file(text.book) : "";
+        const auto broken = broken_claims(own, book, text.number, claims);
+        found.insert(found.end(), broken.begin(), broken.end());
+    } catch (const std::invalid_argument& error) {
+        found.emplace_back(error.what());
+    }
     for (const auto& line : found) fmt::print(stderr, "{}\n", line);
     if (!found.empty())
         throw app::Error{app::ExitCode::failed,
                          fmt::format("{}: {} {}", readme.string(), found.size(),
                                      found.size() == 1 ? "difference" : "differences")};
+}
+
+void tell_claims(const Claims& claims, const std::string& changed) {
+    const std::string skipped = names_with(Verdict::skipped, claims);
+    const std::string failing = names_with(Verdict::fails, claims);
+    if (!skipped.empty()) fmt::print(stderr, "claims that need a full run: {}\n", skipped);
+    if (failing.empty()) return;
+    if (changed.empty())
+        throw app::Error{app::ExitCode::failed, "claims of the text that do not hold: " + failing};
+    fmt::print(stderr, "warning: claims of the text that do not hold with {}: {}\n", changed, failing);
 }
 
 void rewrite_text(const std::filesystem::path& readme, const Blocks& blocks) {

@@ -1,13 +1,25 @@
 #pragma once
 #include <filesystem>
 
+#include "common/report/claims.hpp"
 #include "common/report/text.hpp"
 
 /// The numbers of a text and those of a full run. Used by chapter.cpp.
 namespace report {
 
-/// Throws app::Error, with each difference on standard error, unless the text shows the blocks' numbers.
-void compare_text(const std::filesystem::path& readme, const Blocks& blocks);
+/// The text that a program fills, and the book's, which all chapters share and which may not be there.
+struct Text {
+    std::filesystem::path own, book;
+    std::string number{};  ///< of the chapter, "04"
+};
+
+/// Throws app::Error, with each difference on standard error, unless the text shows the blocks' numbers, and
+/// the claims of both texts are those that were asserted and hold.
+void compare_text(const Text& text, const Blocks& blocks, const Claims& claims);
+/// After a run that does not look at the text: says on standard error which claims need a full run. A claim
+/// that does not hold is an app::Error with the book's parameters; with others (`changed` names them) it is
+/// what the reader has found out, and a warning.
+void tell_claims(const Claims& claims, const std::string& changed);
 /// Puts the blocks into the text. Throws app::Error where blocks and markers do not fit.
 void rewrite_text(const std::filesystem::path& readme, const Blocks& blocks);
 /// Puts a chapter's CPU seconds into the book's table, block seconds-FOLDER, if there is a book.

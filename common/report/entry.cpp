@@ -66,7 +66,7 @@ Place Place::of_chapter(const std::string& folder) {
     if (!numbered) throw std::invalid_argument{"a chapter's folder is named as 01_name: " + folder};
     const std::string number = folder.substr(0, 2);
     return {folder, "./tutorial run " + number, fmt::format("chapter {}", std::stoi(number)),
-            std::filesystem::path{"chapters"} / folder / "README.md"};
+            std::filesystem::path{"chapters"} / folder / "README.md", number};
 }
 
 }  // namespace report

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/app/error.hpp"
+#include "common/plot/method_looks.hpp"
 #include "common/report/norms.hpp"
 
 namespace report {
@@ -46,11 +48,24 @@ Track follow(Run& run, const RaceCourse& course, const Contestant& who) {
     return track;
 }
 
+/// Those that are spoken of in their own looks, the others in grey, the first of these with a label.
+std::vector<std::pair<const Track*, plot::Style>> looks_of(const std::vector<Track>& tracks,
+                                                           const std::vector<std::string>& spoken_of) {
+    std::vector<std::pair<const Track*, plot::Style>> looks;
+    std::string label = "the others";
+    for (const Track& track : tracks) {
+        const bool own = spoken_of.empty() ||
+                         std::find(spoken_of.begin(), spoken_of.end(), track.who.name) != spoken_of.end();
+        looks.emplace_back(&track, own ? track.who.look : plot::rest(std::exchange(label, own ? label : "")));
+    }
+    return looks;
+}
+
 }  // namespace
 
 std::string Reading::text(double factor) const {
-    if (kind == Kind::not_reached) return "–";
-    if (kind == Kind::not_in_time) return "≈–";
+    if (kind == Kind::not_reached) return never_reached;
+    if (kind == Kind::not_in_time) return "≈ no run";
     return (kind == Kind::at_most ? "≤ " : "") + timing(factor * value);
 }
 
@@ -97,12 +112,16 @@ std::vector<Track> race(Run& run, const RaceCourse& course, const std::vector<Co
     return tracks;
 }
 
-void draw_error_against_seconds(plot::Panel& panel, const std::vector<Track>& tracks) {
-    for (const Track& track : tracks) panel.curve(track.seconds, track.error, track.who.look);
+void draw_error_against_seconds(plot::Panel& panel, const std::vector<Track>& tracks,
+                                const std::vector<std::string>& spoken_of) {
+    for (const auto& [track, look] : looks_of(tracks, spoken_of))
+        panel.curve(track->seconds, track->error, look);
 }
 
-void draw_error_against_size(plot::Panel& panel, const std::vector<Track>& tracks) {
-    for (const Track& track : tracks) panel.curve(track.sizes(), track.error, track.who.look);
+void draw_error_against_size(plot::Panel& panel, const std::vector<Track>& tracks,
+                             const std::vector<std::string>& spoken_of) {
+    for (const auto& [track, look] : looks_of(tracks, spoken_of))
+        panel.curve(track->sizes(), track->error, look);
 }
 
 }  // namespace report

@@ -32,11 +32,14 @@ struct RaceCourse {
     double repeat_below = std::numeric_limits<double>::infinity();  ///< [s] longer laps are run once
 };
 
+/// In the place of a cost: no run of the contestant has so small an error.
+inline constexpr const char* never_reached = "not reached";
+
 /// What a curve says at a place: a value, a bound where the place lies before its first point, or nothing.
 struct Reading {
     enum class Kind { value, at_most, not_reached, not_in_time } kind = Kind::not_reached;
     double value = 0;
-    /// "≈2.4", "≤ ≈2.4", "–"; "≈–" where that is so on this machine
+    /// "≈2.4", "≤ ≈2.4", "not reached"; "≈ no run" where none is so short on this machine.
     std::string text(double factor = 1) const;
 };
 
@@ -67,7 +70,11 @@ struct Track {
 /// pairs and cpu_seconds where they are counted.
 std::vector<Track> race(Run& run, const RaceCourse& course, const std::vector<Contestant>& contestants);
 
-void draw_error_against_seconds(plot::Panel& panel, const std::vector<Track>& tracks);
-void draw_error_against_size(plot::Panel& panel, const std::vector<Track>& tracks);
+/// Each track as a curve in its look. Where `spoken_of` names some, the others are thin and grey, under one
+/// entry of the legend.
+void draw_error_against_seconds(plot::Panel& panel, const std::vector<Track>& tracks,
+                                const std::vector<std::string>& spoken_of = {});
+void draw_error_against_size(plot::Panel& panel, const std::vector<Track>& tracks,
+                             const std::vector<std::string>& spoken_of = {});
 
 }  // namespace report

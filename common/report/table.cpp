@@ -32,6 +32,11 @@ bool is_number(std::string_view cell) {
            cell.find_first_not_of("0123456789.e+-") == std::string_view::npos;
 }
 
+/// In the place of a number that there is not.
+bool is_gap(std::string_view cell) {
+    return cell.empty() || cell == "-" || cell == "–" || cell == "not reached";
+}
+
 std::string padded(const std::string& cell, std::size_t width, bool right) {
     const std::string space(width - letters(cell), ' ');
     return right ? space + cell : cell + space;
@@ -59,7 +64,7 @@ std::string Table::markdown() const {
         std::size_t numbers = 0, texts = 0;
         for (const auto& row : rows_) {
             width[c] = std::max(width[c], letters(row[c]));
-            if (!row[c].empty() && row[c] != "-" && row[c] != "–") ++(is_number(row[c]) ? numbers : texts);
+            if (!is_gap(row[c])) ++(is_number(row[c]) ? numbers : texts);
         }
         right[c] = numbers > 0 && texts == 0;
     }

@@ -71,7 +71,7 @@ std::string number(double value, int digits) {
     const std::size_t e = scientific.find('e');
     const int exponent = std::stoi(scientific.substr(e + 1));  // after rounding: 9.99 is 10 to two digits
     scientific = fmt::format("{}e{}", scientific.substr(0, e), exponent);
-    const std::string fixed = fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent));
+    std::string fixed = fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent));
     if (exponent < 0) return fixed.size() <= scientific.size() ? fixed : scientific;
     if (exponent < digits) return fixed;
     // More digits than are significant would be zeros that look measured, unless they are exact.

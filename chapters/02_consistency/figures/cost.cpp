@@ -75,7 +75,7 @@ std::vector<report::Track> race_panel(report::Run& run, plot::Panel& panel, Arra
 /// The fewest particles that stay below the error, and their time.
 std::string cheapest(const report::Track& track, double error) {
     const std::size_t k = track.first_below(error);
-    if (k == track.n.size()) return "–";
+    if (k == track.n.size()) return report::never_reached;
     return "N = " + std::to_string(track.n[k]) + ", " + report::timing(1e6 * track.seconds[k]) + " µs";
 }
 

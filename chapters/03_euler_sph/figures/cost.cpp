@@ -23,7 +23,7 @@ double at_bounds(report::Run& run, const std::vector<report::Track>& tracks,
         std::vector<std::string> row{track.who.label};
         for (const double bound : bounds) {
             const std::size_t k = track.first_below(bound);
-            row.push_back(k == track.n.size() ? "–"
+            row.push_back(k == track.n.size() ? report::never_reached
                                               : "N = " + std::to_string(track.n[k]) + ", " +
                                                     report::timing(1e3 * track.seconds[k]) + " ms");
         }

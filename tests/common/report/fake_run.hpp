@@ -24,6 +24,10 @@ class FakeRun : public report::Run {
     }
     void save(const plot::Figure&) override {}
     void fill(const std::string& name, const std::string& text) override { filled[name] = text; }
+    std::map<std::string, bool> claims{};
+    void claim(const std::string& name, const std::function<bool()>& holds, report::Needs needs) override {
+        if (!is_quick || needs == report::Needs::any_run) claims[name] = holds();
+    }
     report::Timing time(const std::function<void()>& work) override {
         work();
         return {best, best, 1};

@@ -15,7 +15,7 @@ using Rows = std::vector<std::string>;
 namespace {
 
 /// Error 1/n^2 after n seconds.
-Contestant second_order(std::string name = "sph") {
+Contestant second_order(const std::string& name = "sph") {
     return {name, "SPH", {}, [](std::size_t n) {
                 const auto x = static_cast<double>(n);
                 return Lap{.error = 1 / (x * x), .seconds = x};
@@ -162,8 +162,8 @@ TEST_CASE("readings as text") {
     CHECK(Reading{Kind::value, 2.44}.text() == "≈2.4");
     CHECK(Reading{Kind::value, 0.00244}.text(1000) == "≈2.4");
     CHECK(Reading{Kind::at_most, 2.44}.text() == "≤ ≈2.4");
-    CHECK(Reading{}.text() == "–");
-    CHECK(Reading{Kind::not_in_time}.text() == "≈–");
+    CHECK(Reading{}.text() == "not reached");
+    CHECK(Reading{Kind::not_in_time}.text() == "≈ no run");
 }
 
 TEST_CASE("a race is drawn against seconds and against size") {
@@ -179,4 +179,20 @@ TEST_CASE("a race is drawn against seconds and against size") {
     CHECK(size.curves.front().x == plot::Values{2, 4});
     CHECK(seconds.curves.front().y == plot::Values{0.25, 0.0625});
     CHECK(size.curves.front().style.marker == plot::Marker::diamond);
+}
+
+TEST_CASE("curves that the text does not speak of are grey, under one entry of the legend") {
+    // Fails if one that is spoken of loses its look, or if each of the others has an entry.
+    FakeRun run;
+    Contestant who = second_order("best");
+    who.look = {.label = "best", .marker = plot::Marker::diamond};
+    const auto tracks = report::race(run, {.sizes = {2, 4}}, {second_order("a"), who, second_order("b")});
+    plot::Panel panel;
+    report::draw_error_against_seconds(panel, tracks, {"best"});
+    REQUIRE(panel.curves.size() == 3);
+    CHECK(panel.curves[0].style.label == "the others");
+    CHECK(panel.curves[1].style.label == "best");
+    CHECK(panel.curves[1].style.marker == plot::Marker::diamond);
+    CHECK(panel.curves[2].style.label.empty());
+    CHECK(panel.curves[2].style.layer < panel.curves[1].style.layer);
 }

@@ -145,7 +145,7 @@ TEST_CASE("words must be equal, timings are not compared") {
     CHECK(compared("in 2D", "in 3D").size() == 1);
     CHECK(compared("wendland_c2", "wendland_c3").size() == 1);
     CHECK(compared("takes ≈0.12 s", "takes ≈35 s").empty());
-    CHECK(compared("| ≤ ≈0.12 | ≈– |", "| ≈35 | ≤ ≈2 |").empty());  // bounds of times depend on times
+    CHECK(compared("| ≤ ≈0.12 | ≈ no run |", "| ≈35 | ≤ ≈2 |").empty());  // bounds of times depend on times
     CHECK(compared("| – |", "| ≈35 |").size() == 1);
     CHECK(compared("takes ≈ 0.12 s", "takes ≈ 1.1e-5 s").empty());
     CHECK(compared("takes ≈0.12 s, error 0.5", "takes ≈0.3 s, error 0.7") ==
