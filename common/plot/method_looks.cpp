@@ -10,7 +10,7 @@ namespace {
 constexpr Colour black{0, 0, 0}, grey{0.5, 0.5, 0.5};
 
 /// Colours of the cycle, by the names that captions use.
-enum Hue : std::size_t { blue, orange, green, pink, sky, gold, ink, brown, indigo, violet };
+enum class Hue : std::size_t { blue, orange, green, pink, sky, gold, ink, brown, indigo, violet };
 
 struct Look {
     std::string_view method;
@@ -20,30 +20,32 @@ struct Look {
 /// No two share a colour and a marker, but for those that their chapters recommend: blue circles.
 constexpr std::array looks{
     // chapter 2: estimates
-    Look{"sph", orange, Marker::square}, Look{"differences", green, Marker::triangle_up},
-    Look{"by-axes", sky, Marker::plus}, Look{"cspm", pink, Marker::diamond},
-    Look{"linear", indigo, Marker::triangle_down}, Look{"fit", blue, Marker::circle},
+    Look{"sph", Hue::orange, Marker::square}, Look{"differences", Hue::green, Marker::triangle_up},
+    Look{"by-axes", Hue::sky, Marker::plus}, Look{"cspm", Hue::pink, Marker::diamond},
+    Look{"linear", Hue::indigo, Marker::triangle_down}, Look{"fit", Hue::blue, Marker::circle},
     // chapter 3: where density and h come from
-    Look{"fixed-h", brown, Marker::square}, Look{"averaged-h", gold, Marker::triangle_up},
-    Look{"without-omega", violet, Marker::diamond}, Look{"consistent-h", blue, Marker::circle},
-    Look{"super-gaussian", green, Marker::circle},
+    Look{"fixed-h", Hue::brown, Marker::square}, Look{"averaged-h", Hue::gold, Marker::triangle_up},
+    Look{"without-omega", Hue::violet, Marker::diamond}, Look{"consistent-h", Hue::blue, Marker::circle},
+    Look{"super-gaussian", Hue::green, Marker::circle},
     // chapter 4: dissipation
-    Look{"none", brown, Marker::plus}, Look{"none-narrow", brown, Marker::cross},
-    Look{"none-cubic", brown, Marker::triangle_down}, Look{"von-neumann", gold, Marker::triangle_down},
-    Look{"bulk", gold, Marker::square}, Look{"monaghan-gingold", pink, Marker::circle},
-    Look{"mg-gaussian", brown, Marker::circle}, Look{"mg-super-gaussian", indigo, Marker::circle},
-    Look{"alpha-beta", orange, Marker::diamond}, Look{"signal", sky, Marker::triangle_up},
-    Look{"signal-cubic", sky, Marker::cross}, Look{"thermokinetic", green, Marker::square},
-    Look{"thermokinetic-all", green, Marker::plus}, Look{"morris-monaghan", indigo, Marker::diamond},
-    Look{"price", pink, Marker::triangle_down}, Look{"narrow", violet, Marker::triangle_up},
-    Look{"reconstructed", blue, Marker::circle}, Look{"reconstructed-cubic", green, Marker::diamond},
-    Look{"balsara", gold, Marker::diamond}, Look{"colagrossi", pink, Marker::square},
-    Look{"pairwise", blue, Marker::circle}, Look{"stress", orange, Marker::triangle_up},
+    Look{"none", Hue::brown, Marker::plus}, Look{"none-narrow", Hue::brown, Marker::cross},
+    Look{"none-cubic", Hue::brown, Marker::triangle_down},
+    Look{"von-neumann", Hue::gold, Marker::triangle_down}, Look{"bulk", Hue::gold, Marker::square},
+    Look{"monaghan-gingold", Hue::pink, Marker::circle}, Look{"mg-gaussian", Hue::brown, Marker::circle},
+    Look{"mg-super-gaussian", Hue::indigo, Marker::circle}, Look{"alpha-beta", Hue::orange, Marker::diamond},
+    Look{"beta-alone", Hue::orange, Marker::plus}, Look{"signal", Hue::sky, Marker::triangle_up},
+    Look{"signal-cubic", Hue::sky, Marker::cross}, Look{"thermokinetic", Hue::green, Marker::square},
+    Look{"thermokinetic-all", Hue::green, Marker::plus},
+    Look{"morris-monaghan", Hue::indigo, Marker::diamond}, Look{"price", Hue::pink, Marker::triangle_down},
+    Look{"narrow", Hue::violet, Marker::triangle_up}, Look{"reconstructed", Hue::blue, Marker::circle},
+    Look{"reconstructed-cubic", Hue::green, Marker::diamond}, Look{"balsara", Hue::gold, Marker::diamond},
+    Look{"colagrossi", Hue::pink, Marker::square}, Look{"pairwise", Hue::blue, Marker::circle},
+    Look{"stress", Hue::orange, Marker::triangle_up},
     // chapter 8: relativistic gas, and the slab
-    Look{"chow-monaghan", orange, Marker::circle}, Look{"fixed-4", brown, Marker::triangle_up},
-    Look{"fixed-10", gold, Marker::cross}, Look{"fixed-20", violet, Marker::triangle_down},
-    Look{"variable", orange, Marker::triangle_down}, Look{"graded", pink, Marker::triangle_up},
-    Look{"quadratic-h", green, Marker::triangle_down}, Look{"narrow-graded", blue, Marker::circle}};
+    Look{"chow-monaghan", Hue::orange, Marker::circle}, Look{"fixed-4", Hue::brown, Marker::triangle_up},
+    Look{"fixed-10", Hue::gold, Marker::cross}, Look{"fixed-20", Hue::violet, Marker::triangle_down},
+    Look{"variable", Hue::orange, Marker::triangle_down}, Look{"graded", Hue::pink, Marker::triangle_up},
+    Look{"quadratic-h", Hue::green, Marker::triangle_down}, Look{"narrow-graded", Hue::blue, Marker::circle}};
 
 }  // namespace
 
@@ -56,7 +58,9 @@ Style look_of(std::string_view method, std::string label) {
     if (found == looks.end())
         throw std::invalid_argument{"no look for the method " + std::string{method} +
                                     ": see method_looks.cpp"};
-    return {.label = std::move(label), .colour = cycle(found->hue), .marker = found->marker};
+    return {.label = std::move(label),
+            .colour = cycle(static_cast<std::size_t>(found->hue)),
+            .marker = found->marker};
 }
 
 std::vector<std::string> methods_with_looks() {
