@@ -16,14 +16,17 @@ struct Conduction {
     using Reads = Union<List<ThermalEnergy, Density>, typename Speed::Reads>;
     using ReadsJ = List<Mass>;
     using Adds = List<Heating>;
+    // [conduction]
     void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
         const Tile v_u = speed.of(i, j, pair);
         sum.du_dt += j.m * v_u * (i.u - j.u) / (0.5 * (i.rho + j.rho)) * pair.r * mean_F(pair);
     }
+    // [end]
 };
 
-/// v_u = K v_sig for approaching particles, as in the viscosity: what the dissipation of the thermokinetic
-/// energy (8.18-8.20) does to u   (8.23)
+/// v_u = K v_sig, v_sig = c_i + c_j - beta w, for particles that approach each other (w < 0), as the
+/// viscosity: what the dissipation of the thermokinetic energy (8.18-8.20) does to u   (8.23; Monaghan 1997,
+/// J. Comput. Phys. 136, 298, section 4)
 struct SignalSpeed {
     double K = 0.5, beta = 4;
     static constexpr auto knobs() {
@@ -33,8 +36,21 @@ struct SignalSpeed {
     }
     using Reads = List<MiddleVelocity, SoundSpeed>;
     Tile of(const auto& i, const auto& j, const auto& pair) const {
-        const Tile approach = closing_speed(i.v_mid - j.v_mid, pair).min(0.0);
+        const Tile w = closing_speed(i.v_mid - j.v_mid, pair);
+        return (w < 0).select(of_all(w.min(0.0), i, j), 0.0);
+    }
+    /// The same whether they approach or not, for w <= 0.
+    Tile of_all(const Tile& approach, const auto& i, const auto& j) const {
         return K * (i.c_s + j.c_s - beta * approach);
+    }
+};
+/// SignalSpeed between all neighbours: conducts in a fan too, where nothing is to be repaired.
+struct SignalSpeedOfAll {
+    SignalSpeed signal;
+    static auto parts(auto& self) { return std::tie(self.signal); }
+    using Reads = SignalSpeed::Reads;
+    Tile of(const auto& i, const auto& j, const auto& pair) const {
+        return signal.of_all(closing_speed(i.v_mid - j.v_mid, pair).min(0.0), i, j);
     }
 };
 

@@ -38,6 +38,7 @@ Tile closing_speed(const Vec<Tile, d>& v_ij, const auto& pair) {
     return dot(v_ij, pair.x_ij) / pair.r.max(std::numeric_limits<double>::min());
 }
 
+// [force]
 /// dv_i/dt = - sum_j m_j Pi_ij grad_i W_ij, with the mean of both kernels   (8.2)
 /// Viscosity: Pi_ij = viscosity.pressure(i, j, pair) [pressure/density^2], symmetric in i and j.
 template <class Viscosity>
@@ -51,6 +52,7 @@ struct ViscousForce {
         sum.dv_dt -= weight * pair.x_ij;
     }
 };
+// [end]
 
 /// du_i/dt = 1/2 sum_j m_j Pi_ij v_ij . grad_i W_ij   (8.13, where a sum over i is printed that does not
 /// belong there; 8.16 is right): the work of the viscous force, half to each particle.

@@ -226,6 +226,7 @@ void DissipativeGas<R, S, B>::finish(double dt) {
     if constexpr (requires { scheme_.detector.evolve(p, dt); }) scheme_.detector.evolve(p, dt);
 }
 
+// [advance]
 template <class R, class S, class B>
 bool DissipativeGas<R, S, B>::advance(double t, double dt) {
     predict(dt);
@@ -238,5 +239,6 @@ bool DissipativeGas<R, S, B>::advance(double t, double dt) {
     this->require_physical_columns(List<Position, Velocity, ThermalEnergy>{}, t + dt);
     return true;
 }
+// [end]
 
 }  // namespace sph

@@ -27,6 +27,7 @@ struct ReconstructedViscosity {
     SignalViscosity signal;
     static auto parts(auto& self) { return std::tie(self.signal); }
     using Reads = Union<SignalViscosity::Reads, List<VelocityGradient>>;
+    // [reconstructed]
     Tile pressure(const auto& i, const auto& j, const auto& pair) const {
         const Tile r2 = (pair.r * pair.r).max(std::numeric_limits<double>::min());
         const Tile g_i = along(i.dv_dx, pair.x_ij) / r2, g_j = along(j.dv_dx, pair.x_ij) / r2;
@@ -34,6 +35,7 @@ struct ReconstructedViscosity {
         const Tile slope = common_slope(g_i, g_j) * (c * c / (c * c + w * w));
         return signal.of(w - pair.r * slope, i, j);
     }
+    // [end]
 
   private:
     static Tile along(const auto& gradient, const auto& x) {

@@ -4,12 +4,15 @@
 namespace sph::shocks {
 namespace {
 
+// [methods]
 using Bulk = Dissipation<BulkPressure, NoConduction, BulkDetector>;
 using Thermokinetic = Dissipation<SignalViscosity, Conduction<SignalSpeed>>;
+using ThermokineticAll = Dissipation<SignalViscosity, Conduction<SignalSpeedOfAll>>;
 using Own = Scaled<SignalViscosity, ViscosityAlpha>;
 using Switched = Dissipation<Own, NoConduction, MorrisMonaghan>;
 using Price = Dissipation<Own, Conduction<OwnSpeed>, PriceSwitch>;
 using Reconstructed = Dissipation<ReconstructedViscosity, Conduction<ContactSpeed>, FlowSlopes>;
+// [end]
 
 /// With the cubic spline, h = 1.2 spacings.
 template <class Scheme>
@@ -31,12 +34,21 @@ const Methods<1>& tube_methods() {
          cubic("bulk", "bulk viscosity", Bulk{{}, {}, {.a = 0, .b = 1}}),
          cubic("monaghan-gingold", "Monaghan–Gingold 1983", Dissipation<AlphaBeta>{{.beta = 0}}),
          cubic("alpha-beta", "α = 1, β = 2", Dissipation<AlphaBeta>{}),
+         cubic("beta-alone", "β = 2, no α", Dissipation<AlphaBeta>{{.alpha = 0}}),
          cubic("signal", "signal velocity", Dissipation<SignalViscosity>{}),
          cubic("thermokinetic", "thermokinetic", Thermokinetic{}),
+         cubic("thermokinetic-all", "thermokinetic, all pairs", ThermokineticAll{}),
          cubic("morris-monaghan", "Morris–Monaghan", Switched{}), cubic("price", "Price", Price{}),
          quadratic("narrow", "signal velocity, narrow kernel", Dissipation<SignalViscosity>{{.K = 0.85}}),
+         quadratic("none-narrow", "no viscosity, narrow kernel", Dissipation<NoViscosity>{}),
+         cubic("reconstructed-cubic", "reconstructed, cubic spline", Reconstructed{}),
          quadratic("reconstructed", "reconstructed", Reconstructed{})}};
     return methods;
+}
+
+std::vector<Method<1>> tube_contestants() {
+    return tube_methods().without(
+        {"none", "none-narrow", "beta-alone", "thermokinetic-all", "reconstructed-cubic"});
 }
 
 const Methods<1>& kernel_methods() {

@@ -24,6 +24,8 @@ using Methods = report::Methods<Method<d>>;
 
 /// In one dimension, from the oldest to the recommended one.
 const Methods<1>& tube_methods();
+/// Those that dissipate, without the variants that change one thing at another.
+std::vector<Method<1>> tube_contestants();
 /// The viscosity of Monaghan & Gingold (1983) with the kernels that it was tried with.
 const Methods<1>& kernel_methods();
 /// Artificial viscosities in the plane: `none-cubic` and `signal-cubic`, which show why the others have

@@ -13,6 +13,15 @@ namespace {
 
 using State = exact::Riemann::State;
 
+/// Between both states, at x from the diaphragm.
+State smoothed(const std::array<State, 2>& sides, double x, double d) {
+    const double share = right_share(x, d);
+    const auto mean = [&](double left, double right) { return (1 - share) * left + share * right; };
+    const auto& [left, right] = sides;
+    const double rho = mean(left.rho, right.rho);
+    return {rho, mean(left.v, right.v), rho * mean(left.p / left.rho, right.p / right.rho)};
+}
+
 std::unique_ptr<Simulation<1>> fill(const TubeScene& scene, const Method<1>& method,
                                     const TubeProblem& problem, const TubeLattice& lattice) {
     auto gas = method.make({.n = lattice.x.size(),
@@ -21,7 +30,8 @@ std::unique_ptr<Simulation<1>> fill(const TubeScene& scene, const Method<1>& met
                             .courant = scene.courant,
                             .threads = scene.threads});
     for (std::size_t i = 0; i < lattice.x.size(); ++i) {
-        const State& state = problem.sides[lattice.side[i]];
+        const State state = scene.smoothing > 0 ? smoothed(problem.sides, lattice.x[i], scene.smoothing)
+                                                : problem.sides[lattice.side[i]];
         gas->place(i, {scene.diaphragm + lattice.x[i]}, {state.v}, lattice.m[lattice.side[i]], state.rho,
                    state.p);
     }
@@ -74,6 +84,8 @@ double largest(const Column& c) {
 
 void require_tube(const TubeScene& scene) {
     if (!(scene.jitter >= 0 && scene.jitter < 0.5)) throw std::invalid_argument{"jitter outside 0..0.5"};
+    if (!(scene.smoothing >= 0) || (scene.smoothing > 0 && !scene.equal_masses))
+        throw std::invalid_argument{"a smoothed start needs a width >= 0 and equal masses"};
     if (!(scene.time > 0)) throw std::invalid_argument{"time must be above 0"};
     if (!(scene.window[0] < scene.diaphragm && scene.diaphragm < scene.window[1]))
         throw std::invalid_argument{"the diaphragm is not inside the window"};
@@ -132,7 +144,8 @@ TubeRun run_tube(const TubeScene& scene, const Method<1>& method) {
 }
 
 TubeRun run_tube(const TubeScene& scene, const Method<1>& method, const TubeProblem& problem) {
-    const TubeLattice lattice = lay_tube(scene, problem.density, problem.ends);
+    TubeLattice lattice = lay_tube(scene, problem.density, problem.ends);
+    if (scene.smoothing > 0) smooth_positions(lattice, problem.density, scene.smoothing);
     const auto gas = fill(scene, method, problem, lattice);
     const Totals<1> before = gas->totals();
     const Column& x = gas->get<Position>()[0];
@@ -141,6 +154,7 @@ TubeRun run_tube(const TubeScene& scene, const Method<1>& method, const TubeProb
     TubeRun run;
     run.seconds = march(*gas, t, control, [&](double now) {
                       require_order({x.data(), lattice.free}, now);
+                      if (scene.watch) scene.watch(now, *gas);
                   }).seconds;
     gas->resolve(t);
     const Totals<1> after = gas->totals();
@@ -182,6 +196,13 @@ Profile exact_profile(const ExactTube& solution, double low, double high) {
     Profile profile;
     for (const double x : places) append(profile, x, solution.at(x));
     return profile;
+}
+
+Column entropy_of(const Profile& profile, double gamma) {
+    Column entropy(profile.x.size());
+    for (std::size_t i = 0; i < entropy.size(); ++i)
+        entropy[i] = profile.p[i] / std::pow(profile.rho[i], gamma);
+    return entropy;
 }
 
 Column spacings(const Column& x) {

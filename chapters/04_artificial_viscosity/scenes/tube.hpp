@@ -21,9 +21,13 @@ struct TubeScene {
     int threads = 1;
     long most_steps = std::numeric_limits<long>::max();  ///< a run that needs more is stopped as unstable
     std::function<void(double share)> progress{};
+    std::function<void(double t, const Simulation<1>& gas)> watch{};  ///< called after each step
     std::array<double, 2> window{-0.5, 0.5};  ///< of x, where it is compared and drawn
     double diaphragm = 0;                     ///< where the states meet; inside the window
     bool equal_masses = true;                 ///< else the same spacing on both sides
+    /// Width d [length] of a smoothed start, A = (A_L + A_R e^(x/d))/(1 + e^(x/d)) for rho, v and P/rho
+    /// (Monaghan 1997, J. Comput. Phys. 136, 298); 0: a jump. Needs equal masses and no vacuum.
+    double smoothing = 0;
 };
 
 /// The velocity of a wave's edge, which relativistic solutions keep with its rapidity.
@@ -155,6 +159,8 @@ Profile exact_profile(const ExactTube& solution, double low, double high);
 Profile exact_profile(const ExactTube& solution);  // of its window
 /// The same for a scene's.
 Profile exact_profile(const TubeScene& scene, double low = -0.5, double high = 0.5);
+/// P/rho^gamma, which stands for the entropy: of a gas element only a shock may change it, and only upwards.
+Column entropy_of(const Profile& profile, double gamma);
 /// dx of each of the ordered particles: half the distance of its neighbours, all of it at an end.
 Column spacings(const Column& x);
 

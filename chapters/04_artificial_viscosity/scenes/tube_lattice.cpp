@@ -15,7 +15,31 @@ std::size_t count(double length, double dx) {
     return static_cast<std::size_t>(wanted);
 }
 
+/// ln(1 + e^x) without overflow.
+double softplus(double x) {
+    return x > 0 ? x + std::log1p(std::exp(-x)) : std::log1p(std::exp(x));
+}
+
 }  // namespace
+
+double right_share(double x, double d) {
+    return x > 0 ? 1 / (1 + std::exp(-x / d)) : std::exp(x / d) / (1 + std::exp(x / d));
+}
+
+void smooth_positions(TubeLattice& lattice, const std::array<double, 2>& rho, double d) {
+    if (!(rho[0] > 0 && rho[1] > 0)) throw std::invalid_argument{"a vacuum cannot be smoothed"};
+    for (std::size_t i = 0; i < lattice.x.size(); ++i) {
+        // The mass between x and 0 before, M, is rho_L x + (rho_R - rho_L) d ln(1 + e^(x/d)) after: Newton.
+        const double mass = rho[lattice.side[i]] * lattice.x[i];
+        double& x = lattice.x[i];
+        for (int step = 0; step < 50; ++step) {
+            const double excess = rho[0] * x + (rho[1] - rho[0]) * d * softplus(x / d) - mass;
+            const double change = excess / (rho[0] + (rho[1] - rho[0]) * right_share(x, d));
+            x -= change;
+            if (std::abs(change) < 1e-14 * d) break;
+        }
+    }
+}
 
 TubeLattice lay_tube(const TubeScene& scene, const std::array<double, 2>& rho,
                      const std::array<double, 2>& ends) {

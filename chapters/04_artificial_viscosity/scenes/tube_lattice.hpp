@@ -24,6 +24,13 @@ struct TubeLattice {
 TubeLattice lay_tube(const TubeScene& scene, const std::array<double, 2>& rho,
                      const std::array<double, 2>& ends);
 
+/// The share of the right state at x in a smoothed start of width d > 0: 1/(1 + e^(-x/d)), in 0..1.
+double right_share(double x, double d);
+/// Moves particles of equal masses, which stand for a jump of the density `rho` at x = 0, to where they stand
+/// for a smoothed one of width d > 0: each keeps the mass on its left. Throws std::invalid_argument for a
+/// vacuum.
+void smooth_positions(TubeLattice& lattice, const std::array<double, 2>& rho, double d);
+
 /// A number in [-1, 1), the same on every machine (which the distributions of the library are not).
 inline double random_shift(std::mt19937_64& random) {
     return 2 * (static_cast<double>(random() >> 11) * 0x1p-53) - 1;
