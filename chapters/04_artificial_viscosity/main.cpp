@@ -11,7 +11,12 @@ void blast(report::Run& run);
 void viscous_pressures(report::Run& run);
 void kernels(report::Run& run);
 void wave(report::Run& run);
-void colliding(report::Run& run);
+void cold_streams(report::Run& run);
+void noh(report::Run& run);
+void x_t(report::Run& run);
+void sod_without(report::Run& run);
+void contact(report::Run& run);
+void review_tube(report::Run& run);
 void expansion(report::Run& run);
 void woodward_colella(report::Run& run);
 void noh_plane(report::Run& run);
@@ -27,14 +32,19 @@ int main(int argc, char** argv) {
     report::Chapter chapter{"04_artificial_viscosity",
                             "What lets SPH pass a shock, and what does that cost elsewhere?",
                             source_revision};
-    chapter.timed_figure("sod", "Sod's tube by every method, beside a grid", sod)
+    chapter.figure("x-t", "the waves of Sod's tube, and where its particles go", x_t)
+        .figure("sod-without", "Sod's tube without viscosity, and with one", sod_without)
+        .figure("cold-streams", "cold streams that meet at Mach 1e4: alpha alone, and beta", cold_streams)
+        .figure("contact", "the spike of pressure at a contact, and conduction", contact)
+        .timed_figure("sod", "Sod's tube by every method, beside a grid", sod)
         .timed_figure("mach", "a tube with a shock at Mach 1.526, few particles", mach)
         .timed_figure("blast", "a blast with a pressure ratio of 3e10", blast)
         .figure("viscous-pressures", "the viscous pressures of 1950 and 1983, and the viscosity of pairs",
                 viscous_pressures)
         .figure("kernels", "the viscosity of 1983 with the Gaussian and the super-Gaussian kernel", kernels)
         .figure("wave", "a standing sound wave: what dissipation costs where there is no shock", wave)
-        .figure("colliding", "cold streams that meet at Mach 1e4, and Noh's problem", colliding)
+        .figure("noh", "Noh's problem on a line: the wall that heats", noh)
+        .figure("review-tube", "figures 15 and 16 of the review, in their own set-up", review_tube)
         .figure("expansion", "the 123 problem and the expansion into a vacuum", expansion)
         .timed_figure("woodward-colella", "two blast waves that meet between walls", woodward_colella)
         .figure("survival", "which methods finish the hard cases, on even and on disordered particles",

@@ -68,7 +68,7 @@ std::vector<Problem> problems() {
 /// All methods that dissipate, and both grids.
 std::vector<report::Contestant> contestants(const Problem& problem) {
     std::vector<report::Contestant> all;
-    for (const Method<1>& method : tube_methods().without({"none"}))
+    for (const Method<1>& method : tube_contestants())
         all.push_back({method.name, method.label, method.styled(),
                        [run = problem.method, method](std::size_t n) { return run(method, n); }});
     for (const Grid& grid : grids())

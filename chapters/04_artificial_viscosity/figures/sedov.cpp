@@ -1,5 +1,7 @@
 #include "common/exact/sedov.hpp"
 
+#include <cmath>
+
 #include "chapters/04_artificial_viscosity/figures/plane.hpp"
 #include "chapters/04_artificial_viscosity/scenes/sedov_plane.hpp"
 #include "common/core/unstable.hpp"
@@ -35,10 +37,12 @@ void sedov(report::Run& run) {
                   blast.measured() + report::Quantities{{"energy_drift", blast.energy_drift}});
         return blast;
     };
+    std::vector<std::string> finished;
     for (const Method<2>& method :
          plane_methods().named({"alpha-beta", "signal", "balsara", "colagrossi", "reconstructed"})) {
         try {
             add(scene, method, method.name, method.label);
+            finished.push_back(method.name);
         } catch (const Unstable&) {
             table.add_words({method.label, std::to_string(scene.n * scene.n), "stops"});
         }
@@ -55,6 +59,12 @@ void sedov(report::Run& run) {
     const SedovRun grid = run_sedov_grid(scene);
     table.add(run, "grid", grid.r.size(), {"grid", std::to_string(grid.r.size())}, grid.measured());
     run.fill("sedov", table.markdown());
+    run.claim("sedov-shock", [&] {
+        return std::abs(fine.shock_radius / scene.radius - 1) < 0.02 && fine.peak > 0.78 && fine.peak < 0.88;
+    });
+    run.claim("sedov-factor", [&] {
+        return finished == std::vector<std::string>{"alpha-beta", "signal", "balsara", "reconstructed"};
+    });
 
     plot::Figure figure{"sedov", 1, 2};
     draw_map(figure.at(0, 0).titled("signal velocity, a quarter"), {fine.x, fine.r, fine.rho}, 0.5, 4, 3.2);

@@ -29,7 +29,9 @@ void SurvivalFigure::run(report::Run& run) const {
     std::vector<std::string> names;
     for (const HardCase& hard : hard_cases()) names.push_back(hard.name);
     report::Survival survival{names, true};
-    for (const Method<1>& method : tube_methods()) {
+    std::vector<Method<1>> contestants = tube_contestants();
+    contestants.insert(contestants.begin(), tube_methods()["none"]);
+    for (const Method<1>& method : contestants) {
         const std::vector<Attempt> runs = attempts(method.name, run.quick(), all_runs_);
         survival.contestant(run, method.name, method.label, runs.size(), [&](std::size_t k, std::size_t r) {
             hard_cases()[k].run(method, runs[r].n, runs[r].disorder, run.threads());

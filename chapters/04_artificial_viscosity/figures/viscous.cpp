@@ -1,4 +1,5 @@
 #include <cmath>
+#include <map>
 
 #include "chapters/04_artificial_viscosity/figures/plane.hpp"
 #include "chapters/04_artificial_viscosity/scenes/shear_layer.hpp"
@@ -6,6 +7,7 @@
 #include "common/exact/taylor_green.hpp"
 #include "common/plot/looks.hpp"
 #include "common/report/comparison.hpp"
+#include "common/report/norms.hpp"
 
 /// All runs with one thread, so that their CPU times compare.
 namespace sph::shocks {
@@ -34,6 +36,7 @@ void shear_waves(report::Run& run, plot::Panel& panel, const std::vector<std::si
     Comparison table{{"shear wave, ν = 0.01", "N"},
                      {{"rate / exact − 1 [%]", "shear_rate_error", decimals(1, 100)},
                       {"CPU [s]", "shear_cpu_seconds", time_in(1)}}};
+    std::map<std::string, plot::Values> errors;
     ShearScene scene;
     scene.nu = 0.01;
     scene.time = run.quick() ? 0.25 : 1;
@@ -50,8 +53,15 @@ void shear_waves(report::Run& run, plot::Panel& panel, const std::vector<std::si
             error.push_back(std::max(1e-5, std::abs(rate_error)));
         }
         panel.curve({sizes.begin(), sizes.end()}, error, who.look);
+        errors[who.name] = error;
     }
     run.fill("viscous-shear", table.markdown());
+    run.claim("stress-converges", [&] {
+        const auto &pairwise = errors.at("pairwise"), &stress = errors.at("stress");
+        const double order = report::observed_order(static_cast<double>(sizes.front()), stress.front(),
+                                                    static_cast<double>(sizes.back()), stress.back());
+        return order > 1.6 && pairwise.back() > 0.02 && pairwise.back() < 0.035;
+    });
 }
 
 void draw_vortices(plot::Panel& panel, const VortexRun& run) {
@@ -79,6 +89,8 @@ void vortices(report::Run& run, plot::Panel& map, plot::Panel& decay, plot::Pane
                      {{"rate / exact − 1 [%]", "vortex_rate_error", decimals(0, 100)},
                       {"v, L₂", "vortex_l2_v", digits(1)},
                       {"CPU [s]", "vortex_cpu_seconds", time_in(1)}}};
+    std::map<std::string, plot::Values> rates;
+    std::map<std::string, double> last;
     VortexScene scene;
     if (run.quick()) scene.time = 0.05;
     for (const auto& who : contestants<VortexScene, VortexRun>(run_vortex, run_vortex_grid)) {
@@ -93,17 +105,26 @@ void vortices(report::Run& run, plot::Panel& map, plot::Panel& decay, plot::Pane
             if (who.name != "grid") measured.push_back({"vortex_energy_drift", flow.energy_drift});
             table.add(run, who.name, n, {who.look.label, std::to_string(n)}, measured);
             error.push_back(flow.l2_v);
+            rates[who.name].push_back(flow.decay_rate / flow.exact_rate - 1);
             if (size != sizes[1]) continue;
             decay.curve(flow.t, four_times(flow.energy), who.look);
             if (who.name == "pairwise") draw_vortices(map, flow);
             if (who.name != "grid") continue;
             const exact::TaylorGreen exact{1 / scene.reynolds, 1, 1, 1};
             const auto energy = [&](double t) { return 4 * exact.kinetic_energy(t); };
-            plot::draw_exact(decay, 0, scene.time, energy).style.layer = 0;
+            plot::draw_exact(decay, 0, scene.time, energy);
         }
         errors.curve({sizes.begin(), sizes.end()}, error, who.look);
+        last[who.name] = error.back();
     }
     run.fill("viscous-vortices", table.markdown());
+    run.claim("vortices-hard", [&] {
+        const auto rough = [](double error) { return error > 0.08 && error < 0.25; };
+        const auto near = [](double rate) { return std::abs(rate) < 0.08; };
+        return rough(last.at("pairwise")) && rough(last.at("stress")) && last.at("grid") < 0.015 &&
+               near(rates.at("pairwise")[1]) && near(rates.at("pairwise")[2]) &&
+               near(rates.at("stress")[1]) && near(rates.at("stress")[2]);
+    });
 }
 
 }  // namespace

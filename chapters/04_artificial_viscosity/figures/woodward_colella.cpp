@@ -1,5 +1,7 @@
 #include "common/exact/woodward_colella.hpp"
 
+#include <map>
+
 #include "chapters/04_artificial_viscosity/scenes/grid_tube.hpp"
 #include "common/plot/looks.hpp"
 #include "common/report/comparison.hpp"
@@ -44,15 +46,24 @@ void woodward_colella(report::Run& run) {
                           {"energy_drift", tube.energy_drift}} +
                tube.costs();
     };
+    std::map<std::string, double> error;
     for (const Method<1>& method : tube_methods().named({"signal", "price", "narrow", "reconstructed"})) {
         const TubeRun tube = run_blast_waves(scene, method);
         table.add(run, method.name, scene.n, {method.label}, measured(tube));
+        error[method.name] = tube.l1_rho;
         if (method.name != "narrow" && method.name != "reconstructed") continue;
         rho.points(tube.profile.x, tube.profile.rho, plot::dots(method.styled()));
         v.points(tube.profile.x, tube.profile.v, plot::dots(method.styled()));
     }
-    for (const Grid& grid : grids())
-        table.add(run, grid.name, scene.n, {grid.label}, measured(run_grid_blast_waves(scene, grid.frame)));
+    for (const Grid& grid : grids()) {
+        const TubeRun tube = run_grid_blast_waves(scene, grid.frame);
+        table.add(run, grid.name, scene.n, {grid.label}, measured(tube));
+        error[grid.name] = tube.l1_rho;
+    }
+    run.claim("wc-conduction", [&] {
+        return error["signal"] < error["grid"] / 2.5 && error["narrow"] < error["grid"] / 2.5 &&
+               error["price"] > 2 * error["signal"] && error["grid-lagrangian"] < error["narrow"];
+    });
     rho.legend.shown = false;
     v.legend.outside = true;
     run.save(figure);
