@@ -23,6 +23,7 @@ class FakeRun : public report::Run {
                        "," + unit);
     }
     void save(const plot::Figure&) override {}
+    void save(const plot::Animation&) override {}
     void fill(const std::string& name, const std::string& text) override { filled[name] = text; }
     report::Timing time(const std::function<void()>& work) override {
         work();
