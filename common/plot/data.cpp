@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <utility>
 
 #include "common/plot/layout.hpp"
 #include "common/plot/save.hpp"
@@ -18,10 +19,11 @@ std::string cell(const std::string& text) {
 
 class Table {
   public:
-    explicit Table(std::string& text) : text_{text} { text_ = "panel,kind,label,x,y,value,error\n"; }
+    /// Adds to `text`; every row begins with `before`.
+    Table(std::string& text, std::string before) : text_{text}, before_{std::move(before)} {}
 
     void begin(std::string_view panel, std::string_view kind, const std::string& label) {
-        start_ = fmt::format("{},{},{}", panel, kind, cell(label));
+        start_ = fmt::format("{}{},{},{}", before_, panel, kind, cell(label));
     }
     /// A row; cells of `value` and `error` stay empty without a pointer.
     void row(double x, double y, const double* value = nullptr, const double* error = nullptr) {
@@ -35,7 +37,7 @@ class Table {
 
   private:
     std::string& text_;
-    std::string start_;
+    std::string before_, start_;
 };
 
 void add_fields(Table& table, const std::string& letter, const Panel& panel) {
@@ -76,14 +78,30 @@ void add_panel(Table& table, const std::string& letter, const Panel& panel) {
     add_fields(table, letter, panel);
 }
 
-}  // namespace
+constexpr auto csv_columns = "panel,kind,label,x,y,value,error\n";
 
-std::string data_csv(const Figure& figure) {
-    std::string text;
-    Table table{text};
+void add_figure(Table& table, const Figure& figure) {
     for (std::size_t k = 0; k < figure.panels.size(); ++k) {
         const std::string letter = panel_letter(k);
         add_panel(table, letter.substr(1, letter.size() - 2), figure.panels[k]);
+    }
+}
+
+}  // namespace
+
+std::string data_csv(const Figure& figure) {
+    std::string text = csv_columns;
+    Table table{text, ""};
+    add_figure(table, figure);
+    return text;
+}
+
+std::string data_csv(const Animation& animation) {
+    std::string text = "frame,";
+    text += csv_columns;
+    for (std::size_t k = 0; k < animation.frames.size(); ++k) {
+        Table table{text, fmt::format("{},", k + 1)};
+        add_figure(table, animation.frames[k].figure);
     }
     return text;
 }

@@ -9,6 +9,7 @@
 
 #include "common/app/command_line.hpp"
 #include "common/app/files.hpp"
+#include "common/plot/animation.hpp"
 #include "common/plot/figure.hpp"
 #include "common/report/results.hpp"
 #include "common/report/text.hpp"
@@ -44,6 +45,8 @@ class Run {
                         const std::string& unit = "1") = 0;
     /// Draws figure.png and figure.csv.
     virtual void save(const plot::Figure& figure) = 0;
+    /// Draws animation.webp and animation.csv.
+    virtual void save(const plot::Animation& animation) = 0;
     /// A block of the README. Throws std::invalid_argument if the run has already filled it with another
     /// text.
     virtual void fill(const std::string& name, const std::string& text) = 0;

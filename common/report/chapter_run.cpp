@@ -33,11 +33,20 @@ void FigureRun::result(const std::string& method, long n, const std::string& qua
     results_.add(scene_, method, n, quantity, value, unit);
 }
 
-void FigureRun::save(const plot::Figure& figure) {
+template <class Drawing>
+void FigureRun::save_drawing(const Drawing& drawing) {
     app::check_interrupt();
     if (settings_.check_text) return;
     if (!studio_) studio_.emplace();
-    studio_->save(figure, settings_.out, metadata_);
+    studio_->save(drawing, settings_.out, metadata_);
+}
+
+void FigureRun::save(const plot::Figure& figure) {
+    save_drawing(figure);
+}
+
+void FigureRun::save(const plot::Animation& animation) {
+    save_drawing(animation);
 }
 
 void FigureRun::fill(const std::string& name, const std::string& text) {

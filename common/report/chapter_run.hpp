@@ -42,6 +42,7 @@ class FigureRun : public Run {
     void result(const std::string& method, long n, const std::string& quantity, double value,
                 const std::string& unit) override;
     void save(const plot::Figure& figure) override;
+    void save(const plot::Animation& animation) override;
     void fill(const std::string& name, const std::string& text) override;
     void claim(const std::string& name, const std::function<bool()>& holds, Needs needs) override;
     Timing time(const std::function<void()>& work) override;
@@ -54,6 +55,9 @@ class FigureRun : public Run {
     const Results& results() const { return results_; }
 
   private:
+    /// Nothing where only the text is being checked.
+    template <class Drawing>
+    void save_drawing(const Drawing& drawing);
     void require_timed(bool is_time, const std::string& what) const;
 
     std::string scene_;

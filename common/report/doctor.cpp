@@ -5,6 +5,7 @@
 #include "common/app/files.hpp"
 #include "common/app/program.hpp"
 #include "common/plot/save.hpp"
+#include "common/plot/webp_file.hpp"
 
 namespace {
 
@@ -36,6 +37,8 @@ int main(int argc, char** argv) {
         line("version", app::version());
         line("compiler", __VERSION__);
         line("renderer", studio.renderer());
+        const std::string webp = plot::webp_version();
+        line("animations", webp.empty() ? "none: built without libwebp-dev" : webp);
         line("SIMD", simd());
         line("threads", std::to_string(std::thread::hardware_concurrency()));
         app::write_stdout(text);

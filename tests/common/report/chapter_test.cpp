@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "common/app/error.hpp"
+#include "common/plot/webp_file.hpp"
 
 #include "tests/common/report/book.hpp"
 
@@ -81,6 +82,28 @@ TEST_CASE("a figure's file tells how to make it again, and its bytes depend on n
     REQUIRE(book.run({"--scene", "tube", "--width", "2"}).status == 0);
     CHECK_THAT(book.file("build/scenes/01_test/tube/tube.png"),
                Catch::Contains("./tutorial run 01 --scene tube --width 2"));
+}
+
+TEST_CASE("an animation is saved like a figure") {
+    // Fails if it goes elsewhere, has other metadata, or is drawn where only the text is checked.
+    Book book;
+    book.after_kernels = [](report::Run& run) {
+        plot::Figure figure{"frame"};
+        figure.panel().curve({0, 1}, {0, 1});
+        run.save(plot::Animation{"film"}.add(figure).add(figure));
+    };
+    CHECK(book.run({"--check-text"}).status == 0);
+    CHECK_FALSE(book.has("renders"));
+    const auto outcome = book.run({"--only", "kernels"});
+    if (plot::webp_version().empty()) {
+        CHECK(outcome.status == 4);
+        CHECK_THAT(outcome.err, Catch::Contains("libwebp-dev"));
+        return;
+    }
+    CHECK(outcome.status == 0);
+    CHECK_THAT(book.file("renders/01_test/film.csv"), Catch::StartsWith("frame,panel,"));
+    CHECK_THAT(book.file("renders/01_test/film.webp"),
+               Catch::Contains("./tutorial run 01 --only kernels") && Catch::Contains("abc123"));
 }
 
 TEST_CASE("a scene of the reader's own never touches the book's figures") {

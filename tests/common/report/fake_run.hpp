@@ -23,6 +23,7 @@ class FakeRun : public report::Run {
                        "," + unit);
     }
     void save(const plot::Figure&) override {}
+    void save(const plot::Animation&) override {}
     void fill(const std::string& name, const std::string& text) override { filled[name] = text; }
     std::map<std::string, bool> claims{};
     void claim(const std::string& name, const std::function<bool()>& holds, report::Needs needs) override {
