@@ -24,7 +24,7 @@ constexpr std::array looks{
     Look{"by-axes", Hue::sky, Marker::plus}, Look{"cspm", Hue::pink, Marker::diamond},
     Look{"linear", Hue::indigo, Marker::triangle_down}, Look{"fit", Hue::blue, Marker::circle},
     // chapter 3: where density and h come from
-    Look{"fixed-h", Hue::brown, Marker::square}, Look{"averaged-h", Hue::gold, Marker::triangle_up},
+    Look{"fixed-h", Hue::brown, Marker::square}, Look{"averaged-h", Hue::sky, Marker::triangle_up},
     Look{"without-omega", Hue::violet, Marker::diamond}, Look{"consistent-h", Hue::blue, Marker::circle},
     Look{"super-gaussian", Hue::green, Marker::circle},
     // chapter 4: dissipation
@@ -33,8 +33,8 @@ constexpr std::array looks{
     Look{"von-neumann", Hue::gold, Marker::triangle_down}, Look{"bulk", Hue::gold, Marker::square},
     Look{"monaghan-gingold", Hue::pink, Marker::circle}, Look{"mg-gaussian", Hue::brown, Marker::circle},
     Look{"mg-super-gaussian", Hue::indigo, Marker::circle}, Look{"alpha-beta", Hue::orange, Marker::diamond},
-    Look{"beta-alone", Hue::orange, Marker::plus}, Look{"signal", Hue::sky, Marker::triangle_up},
-    Look{"signal-cubic", Hue::sky, Marker::cross}, Look{"thermokinetic", Hue::green, Marker::square},
+    Look{"beta-alone", Hue::orange, Marker::plus}, Look{"signal", Hue::gold, Marker::triangle_up},
+    Look{"signal-cubic", Hue::gold, Marker::cross}, Look{"thermokinetic", Hue::green, Marker::square},
     Look{"thermokinetic-all", Hue::green, Marker::plus},
     Look{"morris-monaghan", Hue::indigo, Marker::diamond}, Look{"price", Hue::pink, Marker::triangle_down},
     Look{"narrow", Hue::violet, Marker::triangle_up}, Look{"reconstructed", Hue::blue, Marker::circle},
@@ -43,7 +43,7 @@ constexpr std::array looks{
     Look{"stress", Hue::orange, Marker::triangle_up},
     // chapter 8: relativistic gas, and the slab
     Look{"chow-monaghan", Hue::orange, Marker::circle}, Look{"fixed-4", Hue::brown, Marker::triangle_up},
-    Look{"fixed-10", Hue::gold, Marker::cross}, Look{"fixed-20", Hue::violet, Marker::triangle_down},
+    Look{"fixed-10", Hue::sky, Marker::cross}, Look{"fixed-20", Hue::violet, Marker::triangle_down},
     Look{"variable", Hue::orange, Marker::triangle_down}, Look{"graded", Hue::pink, Marker::triangle_up},
     Look{"quadratic-h", Hue::green, Marker::triangle_down}, Look{"narrow-graded", Hue::blue, Marker::circle}};
 

@@ -1,6 +1,8 @@
 #include "chapters/04_artificial_viscosity/figures/plane.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "common/plot/looks.hpp"
 
@@ -21,13 +23,24 @@ void draw_map(plot::Panel& panel, const PlaneField& field, double side, double h
 }
 
 void draw_profile(plot::Panel& panel, const PlaneField& field, double r_end, const plot::Style& look) {
-    plot::Values r, rho;
+    constexpr std::size_t rings = 50;
+    std::array<double, rings> count{}, r{}, sum{}, squares{};
     for (std::size_t i = 0; i < field.r.size(); ++i) {
         if (field.r[i] >= r_end) continue;
-        r.push_back(field.r[i]);
-        rho.push_back(field.rho[i]);
+        const auto ring = static_cast<std::size_t>(field.r[i] / r_end * rings);
+        ++count[ring], r[ring] += field.r[i], sum[ring] += field.rho[i];
+        squares[ring] += field.rho[i] * field.rho[i];
     }
-    panel.points(r, rho, plot::dots(look, 2.5));
+    plot::Curve& curve = panel.curve({}, {}, look);
+    for (std::size_t k = 0; k < rings; ++k) {
+        if (count[k] == 0) continue;
+        const double mean = sum[k] / count[k];
+        curve.x.push_back(r[k] / count[k]);
+        curve.y.push_back(mean);
+        curve.error.push_back(std::sqrt(std::max(squares[k] / count[k] - mean * mean, 0.0)));
+    }
+    curve.style.width = 0.8;
+    curve.style.marker_size = 4;
 }
 
 }  // namespace sph::shocks

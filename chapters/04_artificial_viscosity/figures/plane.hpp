@@ -12,7 +12,7 @@ struct PlaneField {
 };
 /// The density in 0 <= x, y <= side, in colours up to `highest`.
 void draw_map(plot::Panel& panel, const PlaneField& field, double side, double highest, double diameter);
-/// The density against r up to r_end.
+/// The density against r up to r_end: means over rings, by particles, with their standard deviation as bars.
 void draw_profile(plot::Panel& panel, const PlaneField& field, double r_end, const plot::Style& look);
 
 }  // namespace sph::shocks
