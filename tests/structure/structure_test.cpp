@@ -234,5 +234,5 @@ TEST_CASE("code in the texts is the code that is tested") {
             ++blocks;
         }
     }
-    CHECK(blocks == 2);
+    CHECK(blocks >= 2);
 }
