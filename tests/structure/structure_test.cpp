@@ -253,5 +253,5 @@ TEST_CASE("code in the texts is the code that is tested") {
             ++blocks;
         }
     }
-    CHECK(blocks == 8);
+    CHECK(blocks >= 8);
 }
