@@ -47,7 +47,8 @@ int main(int argc, char** argv) {
         .figure("review-tube", "figures 15 and 16 of the review, in their own set-up", review_tube)
         .figure("expansion", "the 123 problem and the expansion into a vacuum", expansion)
         .timed_figure("woodward-colella", "two blast waves that meet between walls", woodward_colella)
-        .figure("survival", "which methods finish the hard cases, on even and on disordered particles",
+        .figure("survival",
+                "which methods finish the hard cases and are right, on even and on disordered particles",
                 SurvivalFigure{})
         .timed_figure("noh-plane", "Noh's problem in the plane", noh_plane)
         .timed_figure("sedov", "a point blast in the plane", sedov)

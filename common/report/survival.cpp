@@ -1,59 +1,126 @@
 #include "common/report/survival.hpp"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "common/app/error.hpp"
 
 namespace report {
 namespace {
 
-std::vector<std::string> header_of(const std::vector<std::string>& cases, bool with_total) {
-    std::vector<std::string> cells{"runs finished"};
-    cells.insert(cells.end(), cases.begin(), cases.end());
-    if (with_total) cells.emplace_back("all");
-    return cells;
+std::string share(const Survival::Count& count) {
+    return std::to_string(count.passed) + "/" + std::to_string(count.runs);
 }
 
-std::string share(std::size_t part, std::size_t whole) {
-    return std::to_string(part) + "/" + std::to_string(whole);
-}
-
-bool finishes(const std::function<void(std::size_t, std::size_t)>& attempt, std::size_t k, std::size_t r) {
+std::optional<double> error_of(const std::function<double(std::size_t, std::size_t)>& attempt, std::size_t k,
+                               std::size_t r) {
     try {
-        attempt(k, r);
-        return true;
+        return attempt(k, r);
     } catch (const app::UnphysicalError&) {
-        return false;
+        return {};
     }
 }
 
 }  // namespace
 
-Survival::Survival(std::vector<std::string> cases, bool with_total)
-    : cases_{std::move(cases)}, with_total_{with_total}, table_{header_of(cases_, with_total)} {}
+Survival::Survival(std::vector<std::string> cases, bool with_total, std::optional<Judge> judge)
+    : cases_{std::move(cases)}, with_total_{with_total}, judge_{std::move(judge)} {}
 
-void Survival::contestant(Run& run, const std::string& name, const std::string& label, std::size_t runs,
-                          const std::function<void(std::size_t, std::size_t)>& attempt) {
-    std::vector<std::string> row{label};
-    std::size_t all = 0;
+void Survival::contestant(const std::string& name, const std::string& label, std::size_t runs,
+                          const std::function<double(std::size_t, std::size_t)>& attempt) {
+    Contestant who{name, label, runs, {}};
     for (std::size_t k = 0; k < cases_.size(); ++k) {
-        std::size_t finished = 0;
-        for (std::size_t r = 0; r < runs; ++r) finished += finishes(attempt, k, r) ? 1 : 0;
-        all += finished;
-        run.record(name + " " + cases_[k], runs, {{"finished", static_cast<double>(finished), "runs"}});
-        row.push_back(share(finished, runs));
+        who.errors.emplace_back();
+        for (std::size_t r = 0; r < runs; ++r) who.errors.back().push_back(error_of(attempt, k, r));
     }
-    const std::size_t possible = runs * cases_.size();
-    if (with_total_) {
-        row.push_back(share(all, possible));
-        run.record(name + " all", possible, {{"finished", static_cast<double>(all), "runs"}});
+    contestants_.push_back(std::move(who));
+}
+
+const Survival::Contestant& Survival::find(const std::string& name) const {
+    const auto found = std::find_if(contestants_.begin(), contestants_.end(),
+                                    [&](const Contestant& one) { return one.name == name; });
+    if (found == contestants_.end()) throw std::out_of_range{"no contestant " + name};
+    return *found;
+}
+
+bool Survival::is_right(double error, std::size_t k, std::size_t r) const {
+    if (!judge_) return true;
+    const std::optional<double> reference = find(judge_->reference).errors[k].at(r);
+    return !reference || error <= judge_->times * *reference;
+}
+
+Survival::Count Survival::count(const Contestant& who, std::size_t k) const {
+    Count count{.runs = who.runs};
+    for (std::size_t r = 0; r < who.runs; ++r) {
+        const std::optional<double> error = who.errors[k][r];
+        if (!error) continue;
+        ++count.finished;
+        if (is_right(*error, k, r)) ++count.passed;
     }
-    table_.row(row);
-    labels_.push_back(label);
-    shares_.push_back(100.0 * static_cast<double>(all) / static_cast<double>(possible));
+    return count;
+}
+
+Survival::Count Survival::all_of(const Contestant& who) const {
+    Count all;
+    for (std::size_t k = 0; k < cases_.size(); ++k) {
+        const Count one = count(who, k);
+        all.passed += one.passed, all.finished += one.finished, all.runs += one.runs;
+    }
+    return all;
+}
+
+Survival::Count Survival::all_of(const std::string& contestant) const {
+    return all_of(find(contestant));
+}
+
+Survival::Count Survival::count(const std::string& contestant, const std::string& case_name) const {
+    const auto place = std::find(cases_.begin(), cases_.end(), case_name);
+    if (place == cases_.end()) throw std::out_of_range{"no case " + case_name};
+    return count(find(contestant), static_cast<std::size_t>(place - cases_.begin()));
+}
+
+void Survival::record(Run& run) const {
+    const auto add = [&](const std::string& name, const Count& count) {
+        Quantities measured{{"finished", static_cast<double>(count.finished), "runs"}};
+        if (judge_) measured.push_back({"passed", static_cast<double>(count.passed), "runs"});
+        run.record(name, count.runs, measured);
+    };
+    for (const Contestant& who : contestants_) {
+        for (std::size_t k = 0; k < cases_.size(); ++k) add(who.name + " " + cases_[k], count(who, k));
+        if (with_total_) add(who.name + " all", all_of(who));
+    }
+}
+
+std::string Survival::table() const {
+    std::vector<std::string> header{judge_ ? "runs passed" : "runs finished"};
+    header.insert(header.end(), cases_.begin(), cases_.end());
+    if (with_total_) header.emplace_back("all");
+    if (judge_) header.emplace_back("finished, but wrong");
+    Table table{header};
+    for (const Contestant& who : contestants_) {
+        std::vector<std::string> row{who.label};
+        for (std::size_t k = 0; k < cases_.size(); ++k) row.push_back(share(count(who, k)));
+        const Count all = all_of(who);
+        if (with_total_) row.push_back(share(all));
+        if (judge_) row.push_back(std::to_string(all.wrong()));
+        table.row(row);
+    }
+    return table.markdown();
 }
 
 plot::Figure Survival::figure(const std::string& name) const {
+    std::vector<std::string> labels;
+    plot::Values shares;  // [%]
+    for (const Contestant& who : contestants_) {
+        const Count all = all_of(who);
+        labels.push_back(who.label);
+        shares.push_back(100.0 * static_cast<double>(all.passed) / static_cast<double>(all.runs));
+    }
     plot::Figure figure{name};
-    figure.panel().labels("runs finished [%]", "").x_range(0, 105).bars(labels_, shares_);
+    figure.panel()
+        .labels(judge_ ? "runs passed [%]" : "runs finished [%]", "")
+        .x_range(0, 105)
+        .bars(labels, shares);
     return figure;
 }
 

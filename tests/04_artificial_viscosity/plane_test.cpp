@@ -1,4 +1,5 @@
 // Artificial viscosity in the plane: shocks that run across the rows of particles, and shear.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "chapters/04_artificial_viscosity/scenes/noh_plane.hpp"
@@ -31,6 +32,10 @@ TEST_CASE(
     CHECK(fine.l1_rho < 0.20);  // measured 0.187
     CHECK(fine.l1_rho > 0.17);
     CHECK(fine.energy_drift < 1e-12);  // measured 6e-15
+    // Fails if rings are twice as wide (0.2247), or if the level is half of the measured plateau (0.2245).
+    CHECK(fine.shock > 0.2200);  // measured 0.2215; 0.2 is exact, and 0.2185 what the mass behind it takes
+    CHECK(fine.shock < 0.2230);
+    CHECK(coarse.shock > fine.shock);
     CHECK_THROWS_AS(run_noh(noh_scene(20), plane_methods()["none"]), Unstable);
 }
 
@@ -83,11 +88,24 @@ TEST_CASE(
     CHECK_NOTHROW(run_sedov(scene, plane_methods()["balsara"]));
 }
 
+TEST_CASE("where the means of rings first rise through a level, coming from outside") {
+    const Rings rings{{1, 2, 3, 4, 5}, {9, 1, 9, 3, 2}};
+    CHECK(outermost_rise(rings, 6) == Approx(3.5));  // fails if the innermost place is taken: 1.375
+    CHECK(outermost_rise(rings, 2.5) == Approx(4.5));
+    CHECK(outermost_rise(rings, 10) == 0);
+    CHECK(outermost_rise({{1, 2}, {7, 8}}, 6) == 0);  // above it all the way: no rise
+}
+
 TEST_CASE("the grid, for comparison: Noh and Sedov") {
     const NohRun noh = run_noh_grid(noh_scene(40), 40);
-    CHECK(noh.l1_rho < 0.03);  // measured 0.022
-    CHECK(noh.plateau > 15.7);
-    CHECK(noh.plateau < 16.1);
+    CHECK(noh.r.size() == 1600);
+    CHECK(*std::max_element(noh.x[0].begin(), noh.x[0].end()) == Approx(1 - 0.5 / 40));
+    CHECK(noh.l1_rho < 0.050);  // measured 0.0458
+    CHECK(noh.l1_rho > 0.042);  // 0.022 if the cells lie where the gas is at the end, in (0, 0.4)^2
+    CHECK(noh.plateau > 15.2);  // measured 15.4
+    CHECK(noh.plateau < 15.6);
+    CHECK(noh.shock > 0.205);  // measured 0.2077
+    CHECK(noh.shock < 0.210);
     SedovScene scene;
     scene.n = 40;
     CHECK(run_sedov_grid(scene).l1_rho < 0.13);  // measured 0.121

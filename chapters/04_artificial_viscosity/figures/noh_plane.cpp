@@ -1,5 +1,6 @@
 #include "chapters/04_artificial_viscosity/scenes/noh_plane.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "chapters/04_artificial_viscosity/figures/plane.hpp"
@@ -18,8 +19,44 @@ report::Comparison noh_table() {
              {"v, L₁", "l1_v", digits(2)},
              {"ρ behind the shock (16)", "plateau", digits(3)},
              {"ρ at the centre", "centre", digits(2)},
+             {"shock at (0.200)", "shock", decimals(3)},
              {"scatter of ρ [%]", "scatter", digits(1, 100)},
              {"CPU [s]", "cpu_seconds", time_in(1)}}};
+}
+
+/// Where the mass puts the shock: the gas of r < R + t at the start is inside, with the mean density rho.
+double shock_of(double rho, double time) {
+    return time / (std::sqrt(rho) - 1);
+}
+
+/// "7", of 0.2139: how many per cent a shock is too far out.
+std::string excess(const NohRun& noh, const NohScene& scene) {
+    const exact::Noh exact{2, scene.gamma, 1, 1};
+    return report::fixed(100 * (noh.shock / exact.shock_position(scene.time) - 1), 0);
+}
+
+/// What the text says of the shock, about all runs of the table, and of the grid beside the last of the
+/// particles' runs.
+void assert_text(report::Run& run, const NohScene& scene, const std::vector<NohRun>& particles,
+                 const NohRun& grid) {
+    const NohRun &coarse = particles.front(), &fine = particles.back();
+    run.fill("noh-shock-coarse", excess(coarse, scene));
+    run.fill("noh-shock-fine", excess(fine, scene));
+    run.claim("noh-shock", [&] {
+        const auto agrees = [&](const NohRun& noh) {
+            const double R = exact::Noh{2, scene.gamma, 1, 1}.shock_position(scene.time);
+            return noh.shock > 1.02 * R && noh.plateau < 16 &&
+                   std::abs(noh.shock / shock_of(noh.plateau, scene.time) - 1) < 0.02;
+        };
+        return std::all_of(particles.begin(), particles.end(), agrees) && agrees(grid);
+    });
+    run.fill("noh-grid-rho", report::number(fine.l1_rho / grid.l1_rho, 2));
+    run.fill("noh-grid-v", report::number(fine.l1_v / grid.l1_v, 2));
+    // Times are not asserted where only the text is compared: each is measured once, beside whatever runs.
+    run.claim("noh-grid", [&] {
+        return grid.l1_rho < fine.l1_rho && grid.l1_v < fine.l1_v &&
+               (run.checking() || 20 * grid.seconds < fine.seconds);
+    });
 }
 
 }  // namespace
@@ -28,22 +65,25 @@ void noh_plane(report::Run& run) {
     NohScene scene;
     scene.n = run.quick() ? 16 : 40;
     report::Comparison table = noh_table();
+    std::vector<NohRun> particles;
     const auto add = [&](const Method<2>& method) {
-        const NohRun noh = run_noh(scene, method);
+        particles.push_back(run_noh(scene, method));
+        const NohRun& noh = particles.back();
         table.add(run, method.name, noh.r.size(), {method.label, std::to_string(noh.r.size())},
                   noh.measured() + report::Quantities{{"energy_drift", noh.energy_drift}});
-        return noh;
     };
     for (const Method<2>& method : plane_methods().named(
              {"alpha-beta", "signal", "balsara", "colagrossi", "reconstructed", "signal-cubic"}))
         add(method);
     scene.n = run.quick() ? 20 : 50;
     const Method<2>&signal = plane_methods()["signal"], &best = plane_methods()["reconstructed"];
-    const NohRun plain = add(signal), fine = add(best);
+    add(signal), add(best);
+    const NohRun &plain = *(particles.end() - 2), &fine = particles.back();
     const auto cells = static_cast<std::size_t>(std::sqrt(static_cast<double>(fine.r.size())));
     const NohRun grid = run_noh_grid(scene, cells);
     table.add(run, "grid", grid.r.size(), {"grid", std::to_string(grid.r.size())}, grid.measured());
     run.fill("noh-plane", table.markdown());
+    assert_text(run, scene, particles, grid);
 
     plot::Figure figure{"noh-plane", 1, 3};
     figure.panel_width = 330;

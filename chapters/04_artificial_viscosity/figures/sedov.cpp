@@ -65,6 +65,14 @@ void sedov(report::Run& run) {
     run.claim("sedov-factor", [&] {
         return finished == std::vector<std::string>{"alpha-beta", "signal", "balsara", "reconstructed"};
     });
+    run.fill("sedov-grid-rho", report::number(fine.l1_rho / grid.l1_rho, 2));
+    run.fill("sedov-grid-p", report::number(fine.l1_p / grid.l1_p, 2));
+    // Times are not asserted where only the text is compared: each is measured once, beside whatever runs.
+    run.claim("sedov-grid", [&] {
+        const double rho = fine.l1_rho / grid.l1_rho, v = fine.l1_v / grid.l1_v, p = fine.l1_p / grid.l1_p;
+        return fine.r.size() == grid.r.size() && 1 < rho && rho < v && v < p &&
+               (run.checking() || 20 * grid.seconds < fine.seconds);
+    });
 
     plot::Figure figure{"sedov", 1, 2};
     draw_map(figure.at(0, 0).titled("signal velocity, a quarter"), {fine.x, fine.r, fine.rho}, 0.5, 4, 3.2);

@@ -3,7 +3,7 @@
 
 namespace sph::shocks {
 
-/// Which methods finish the hard cases, on even and on disordered particles.
+/// Which methods finish the hard cases and are right, on even and on disordered particles.
 class SurvivalFigure {
   public:
     void declare(app::CommandLine& line) {

@@ -14,17 +14,18 @@ HardCase tube(const std::string& name, TubeScene scene) {
     return {name, [scene](const Method<1>& method, std::size_t n, const Disorder& disorder, int threads) {
                 TubeScene one = scene;
                 one.n = n, one.jitter = disorder.jitter, one.seed = disorder.seed, one.threads = threads;
-                run_tube(one, method);
+                return run_tube(one, method).l1_rho;
             }};
 }
 
-void blast_waves(const Method<1>& method, std::size_t n, const Disorder& disorder, int threads) {
-    run_blast_waves({.n = n,
-                     .jitter = disorder.jitter,
-                     .seed = disorder.seed,
-                     .threads = threads,
-                     .most_steps = most_steps},
-                    method);
+double blast_waves(const Method<1>& method, std::size_t n, const Disorder& disorder, int threads) {
+    return run_blast_waves({.n = n,
+                            .jitter = disorder.jitter,
+                            .seed = disorder.seed,
+                            .threads = threads,
+                            .most_steps = most_steps},
+                           method)
+        .l1_rho;
 }
 
 }  // namespace

@@ -37,8 +37,9 @@ std::unique_ptr<Simulation<2>> make_disc(const NohScene& scene, const Method<2>&
     return gas;
 }
 
-/// Errors and means of what a run has left in r, m, rho, v_r.
-void measure(NohRun& run, const NohScene& scene) {
+/// Errors, means and the shock's place of what a run has left in x, v, m, rho, with that spacing at the
+/// start.
+void measure(NohRun& run, const NohScene& scene, double spacing) {
     run.r = radii(run.x), run.v_r = radial(run.x, run.v);
     const exact::Noh noh{2, scene.gamma, 1, 1};
     const double R = noh.shock_position(scene.time), end = 0.9 * (scene.radius - scene.time);
@@ -65,6 +66,8 @@ void measure(NohRun& run, const NohScene& scene) {
             squares += run.m[i] / run.rho[i] * square(run.rho[i] / run.plateau - 1);
     }
     run.scatter = area > 0 ? std::sqrt(squares / area) : 0;
+    run.shock =
+        outermost_rise(ring_means(run.r, run.rho, run.m, 0.5 * spacing, end), noh.post_shock().rho / 2);
 }
 
 }  // namespace
@@ -84,7 +87,7 @@ NohRun run_noh(const NohScene& scene, const Method<2>& method) {
     run.energy_drift = drifts.energy() / drifts.first().energy;
     if (!scene.quarter) run.momentum_drift = drifts.momentum() / drifts.first().mass;
     run.counters = gas->counters();
-    measure(run, scene);
+    measure(run, scene, scene.radius / static_cast<double>(scene.n));
     return run;
 }
 
@@ -94,7 +97,7 @@ NohRun run_noh_grid(const NohScene& scene, std::size_t n) {
         const double r = std::hypot(x, y);
         return exact::GasState2D{t > 0 ? noh.at(r, t).rho : 1, -x / r, -y / r, scene.pressure};
     };
-    const double side = scene.radius - scene.time;
+    const double side = scene.radius;
     exact::GasGrid grid{0, side, 0, side, n, n, {}};
     grid.fill([&](double x, double y) { return inflow(x, y, 0); });
     exact::FiniteVolume2D solver{grid,
@@ -109,14 +112,18 @@ NohRun run_noh_grid(const NohScene& scene, std::size_t n) {
     run.counters.steps = solver.steps();
     const GridColumns columns = columns_of(solver.cells());
     run.x = columns.x, run.v = columns.v, run.m = columns.m, run.rho = columns.rho;
-    measure(run, scene);
+    measure(run, scene, grid.dx());
     return run;
 }
 
 report::Quantities NohRun::measured() const {
-    return {{"l1_rho", l1_rho},           {"l1_v", l1_v},
-            {"plateau", plateau},         {"centre", centre},
-            {"scatter", scatter},         {"steps", static_cast<double>(counters.steps)},
+    return {{"l1_rho", l1_rho},
+            {"l1_v", l1_v},
+            {"plateau", plateau},
+            {"centre", centre},
+            {"scatter", scatter},
+            {"shock", shock},
+            {"steps", static_cast<double>(counters.steps)},
             {"cpu_seconds", seconds, "s"}};
 }
 

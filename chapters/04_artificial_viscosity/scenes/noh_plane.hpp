@@ -26,8 +26,11 @@ struct NohRun {
     double plateau = 0;           ///< mean density by area over 0.25 R < r < 0.75 R, R the shock's radius
     double centre = 0;            ///< the same over r < 0.1 R
     double scatter = 0;           ///< root mean square of rho/plateau - 1 over the plateau
-    double energy_drift = 0;      ///< relative
-    double momentum_drift = 0;    ///< relative to sum m |v| at the start; 0 between mirrors, which push
+    /// The shock's radius: where, coming from outside, the mean density (by mass, over rings half a spacing
+    /// of the start wide) first rises through half of the exact one behind the shock. The exact one is R.
+    double shock = 0;
+    double energy_drift = 0;    ///< relative
+    double momentum_drift = 0;  ///< relative to sum m |v| at the start; 0 between mirrors, which push
     Counters counters;
     double seconds = 0;  ///< CPU time of the steps
 
@@ -37,8 +40,10 @@ struct NohRun {
 /// Throws Unstable where the run leaves physics, and std::invalid_argument for scenes that are none.
 NohRun run_noh(const NohScene& scene, const Method<2>& method);
 
-/// The same by finite volumes: n times n cells of the square (0, radius - time)^2, mirrors on two sides, the
-/// exact state flowing in on the others. `x` are centres, `m` the cells' masses.
+/// The same by finite volumes: n times n cells of the square (0, radius)^2, mirrors at x = 0 and y = 0. The
+/// gas of the start fills the square, its corner beyond r = radius included, and through the other two sides
+/// the exact state flows in: so there is no free edge. What flows in moves with speed 1, and stays beyond
+/// r = radius - time: the errors do not see it. `x` are centres, `m` the cells' masses.
 NohRun run_noh_grid(const NohScene& scene, std::size_t n);
 
 }  // namespace sph::shocks

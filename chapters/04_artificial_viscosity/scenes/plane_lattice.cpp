@@ -77,4 +77,13 @@ Rings ring_means(const Column& r, const Column& f, const Column& w, double dr, d
     return rings;
 }
 
+double outermost_rise(const Rings& rings, double level) {
+    for (std::size_t k = rings.r.size(); k-- > 1;) {
+        if (rings.value[k - 1] < level || rings.value[k] >= level) continue;
+        const double part = (rings.value[k - 1] - level) / (rings.value[k - 1] - rings.value[k]);
+        return rings.r[k - 1] + part * (rings.r[k] - rings.r[k - 1]);
+    }
+    return 0;
+}
+
 }  // namespace sph::shocks

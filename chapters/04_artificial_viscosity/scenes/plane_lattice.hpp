@@ -37,5 +37,8 @@ struct Rings {
 /// Means of f with the weights w in rings of width dr up to r_end, and at the mean r of these; rings without
 /// particles are left out.
 Rings ring_means(const Column& r, const Column& f, const Column& w, double dr, double r_end);
+/// Where, coming from outside, the means first rise through `level`: between two rings, linearly; 0 if
+/// nowhere.
+double outermost_rise(const Rings& rings, double level);
 
 }  // namespace sph::shocks

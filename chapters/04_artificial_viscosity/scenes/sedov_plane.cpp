@@ -72,12 +72,7 @@ void measure(SedovRun& run, const SedovScene& scene) {
         ring_means(run.r, run.rho, run.m, 0.5 * side / static_cast<double>(scene.n), 0.9 * side);
     const double peak = *std::max_element(rings.value.begin(), rings.value.end()), half = 1 + (peak - 1) / 2;
     run.peak = peak / blast.post_shock(run.time).rho;
-    for (std::size_t k = rings.r.size(); k-- > 1;) {
-        if (rings.value[k - 1] < half) continue;
-        const double part = (rings.value[k - 1] - half) / (rings.value[k - 1] - rings.value[k]);
-        run.shock_radius = rings.r[k - 1] + part * (rings.r[k] - rings.r[k - 1]);
-        return;
-    }
+    run.shock_radius = outermost_rise(rings, half);
 }
 
 }  // namespace

@@ -26,14 +26,15 @@ void survival(report::Run& run) {
     for (const auto& [name, scene] : cases) names.push_back(name);
     report::Survival table{names, false};
     for (const TubeMethod& method : relativistic_methods()) {
-        table.contestant(run, method.name, method.label, runs.size(), [&](std::size_t k, std::size_t r) {
+        table.contestant(method.name, method.label, runs.size(), [&](std::size_t k, std::size_t r) {
             TubeScene scene = cases[k].second;
             scene.n = run.quick() ? 30 : 40;
             scene.jitter = runs[r].jitter, scene.seed = runs[r].seed;
             scene.most_steps = 10000;
-            run_relativistic_tube(scene, method);
+            return run_relativistic_tube(scene, method).l1_rho;
         });
     }
+    table.record(run);
     run.save(table.figure("survival"));
     run.fill("survival", table.table());
 }
