@@ -15,6 +15,7 @@ void cold_streams(report::Run& run);
 void noh(report::Run& run);
 void x_t(report::Run& run);
 void sod_without(report::Run& run);
+void sod_viscous(report::Run& run);
 void contact(report::Run& run);
 void review_tube(report::Run& run);
 void expansion(report::Run& run);
@@ -33,7 +34,8 @@ int main(int argc, char** argv) {
                             "What lets SPH pass a shock, and what does that cost elsewhere?",
                             source_revision};
     chapter.figure("x-t", "the waves of Sod's tube, and where its particles go", x_t)
-        .figure("sod-without", "Sod's tube without viscosity, and with one", sod_without)
+        .figure("sod-without", "Sod's tube without viscosity", sod_without)
+        .figure("sod-viscous", "the same with a viscosity", sod_viscous)
         .figure("cold-streams", "cold streams that meet at Mach 1e4: alpha alone, and beta", cold_streams)
         .figure("contact", "the spike of pressure at a contact, and conduction", contact)
         .timed_figure("sod", "Sod's tube by every method, beside a grid", sod)

@@ -1,0 +1,18 @@
+#pragma once
+#include <string>
+
+#include "common/report/chapter.hpp"
+
+/// Sod's tube by one method: velocity, and what only a shock may change.
+namespace sph::shocks {
+
+/// What a method makes of the gas between contact and shock, relative.
+struct Entropies {
+    double noise;  ///< the largest error of a velocity
+    double gain;   ///< of P/rho^gamma, in the mean
+    double due;    ///< what the exact solution gains
+};
+/// Draws the figure, and hands over rows and the numbers of the text.
+Entropies follow_entropy(report::Run& run, const std::string& method, const std::string& figure);
+
+}  // namespace sph::shocks
