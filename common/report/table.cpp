@@ -12,12 +12,18 @@ std::size_t letters(std::string_view utf8) {
         std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// A bar would begin the next cell, a newline the next row.
+/// A bar would begin the next cell, a newline the next row. What labels of figures write $x$ is $`x`$ in
+/// texts.
 std::string escaped(const std::string& cell) {
     std::string text;
+    bool formula = false;
     for (std::size_t k = 0; k < cell.size(); ++k) {
+        const bool dollar = cell[k] == '$' && cell.find('`') == std::string::npos;
         if (cell[k] == '|' && (k == 0 || cell[k - 1] != '\\')) text += '\\';
+        if (dollar && formula) text += '`';
         text += cell[k] == '\n' ? ' ' : cell[k];
+        if (dollar && !formula) text += '`';
+        if (dollar) formula = !formula;
     }
     return text;
 }

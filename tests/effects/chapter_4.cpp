@@ -40,6 +40,7 @@ std::vector<Subject> chapter_4() {
         of_gradients(ViscousForce<StressViscosity>{stress}, {antisymmetric(mass, nothing), rate}),
         of_gradients(ViscousHeating<StressViscosity>{stress}, {neither(nothing, "the stress of i only")}),
         of_gradients(Conduction<SignalSpeed>{}, {conducts}),
+        of_gradients(Conduction<SignalSpeedOfAll>{}, {conducts}),
         of_gradients(Conduction<OwnSpeed>{}, {conducts}),
         of_gradients(Conduction<ContactSpeed>{}, {conducts}),
         of_gradients(SignalRate{}, {rate}),

@@ -48,6 +48,14 @@ TEST_CASE("numbers with significant digits") {
     CHECK_THROWS_AS(number(1, 18), std::invalid_argument);
 }
 
+TEST_CASE("what labels write as formulas is a formula in a table") {
+    // Fails if a figure's $x$ comes through, or if a formula of a text is marked twice.
+    report::Table table{{"gradient of $v$", "$`P`$"}};
+    table.row({"$h$ = $s$", "1"});
+    CHECK_THAT(table.markdown(),
+               Catch::Contains("| gradient of $`v`$ | $`P`$ |") && Catch::Contains("| $`h`$ = $`s`$"));
+}
+
 TEST_CASE("tables") {
     // Fails if bytes are counted for letters, if a bar in a cell is not escaped, or if numbers are
     // left-aligned, those that bound a time too: which ones do hangs on the machine.
