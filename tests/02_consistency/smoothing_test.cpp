@@ -31,6 +31,12 @@ TEST_CASE("DSPH is exact for a line with a jump, CSPM is not") {
             value = std::max(value, std::abs(line.scheme("dsph").value[i] - line.exact[i]));
     }
     CHECK(value < 0.05);  // CSPM's own error on a slope of 2; the jump is 5
+    double one_sided = 0;
+    for (std::size_t i = 0; i < line.x.size(); ++i) {
+        if (std::abs(line.x[i] - 0.4) < 0.1)
+            one_sided = std::max(one_sided, std::abs(line.scheme("one-sided").value[i] - line.exact[i]));
+    }
+    CHECK(one_sided < 0.05);  // fails if what is beyond is not taken out as A (V/A for V A)
     const Jump jump = Jump::find(0.4, line.x, line.exact);
     CHECK(jump.x_left < 0.4);
     CHECK(jump.x_right >= 0.4);
@@ -69,6 +75,9 @@ TEST_CASE("with equal h all rules are the same kernel") {
         CHECK((F - constant.F).abs().maxCoeff() < 2e-15 * constant.F.abs().maxCoeff());
     }
     CHECK(constant.W[0] == Approx(K::W(0.1, 0.7)).epsilon(1e-14));
+    j.h = 0.9;
+    CHECK(MeanH<K>{}.pair(i, j, x_ij).h[0] == Approx(0.8));
+    CHECK(MeanKernel<K>{}.pair(i, j, x_ij).h[0] == Approx(0.8));
 }
 
 TEST_CASE("the mean-density smoothing length scales with the spacing") {

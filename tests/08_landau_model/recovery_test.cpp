@@ -96,6 +96,7 @@ TEST_CASE("fluids are thermodynamically consistent") {
 
 TEST_CASE("momentum and energy of baryons give the state back") {
     double largest = 0;
+    int evaluations = 0, guessed = 0;
     for (const double lorentz : {1.0, 1.001, 3.0, 20.0, 1e3}) {
         for (const double heat : {1e-6, 1e-2, 1.0, 1e5}) {
             for (const double gamma : {1.1, 4.0 / 3, 5.0 / 3, 2.0}) {
@@ -103,12 +104,19 @@ TEST_CASE("momentum and energy of baryons give the state back") {
                 const MomentumEnergy given = momentum_energy(n, v, heat * n, gamma);
                 const double exact = 1 / std::sqrt((1 - v) * (1 + v));
                 const BaryonState state = recover_baryons(given.q, given.E, n * exact, gamma);
+                evaluations = std::max(evaluations, state.evaluations);
+                const double near = 1.001 * heat * n;
+                guessed =
+                    std::max(guessed, recover_baryons(given.q, given.E, n * exact, gamma, near).evaluations);
                 REQUIRE(state.sound);
                 largest = std::max(largest, std::abs(state.lorentz / exact - 1) / (exact * exact));
             }
         }
     }
     CHECK(largest < 2e-11);  // measured 4e-12: rounding of E - |q|; a step without c_s: 1e-3
+    // With another slope, 1/gamma left out, the largest are 100 and 100: Newton's method is none.
+    CHECK(evaluations <= 12);                          // measured 12
+    CHECK(guessed <= 3);                               // measured 3
     CHECK_FALSE(recover_baryons(1, 1, 1, 1.4).sound);  // less than cold gas has
     CHECK_FALSE(recover_baryons(NAN, 1, 1, 1.4).sound);
 }
