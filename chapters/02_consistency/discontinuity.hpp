@@ -1,7 +1,7 @@
 #pragma once
 #include "chapters/02_consistency/corrected.hpp"
 
-/// Across a jump there is no Taylor series. DSPH (M. B. Liu, G. R. Liu & Lam 2003, Shock Waves 12, 201)
+/// Across a jump there is no Taylor series. DSPH (M. B. Liu, G. R. Liu & Lam 2003, Shock Waves 13, 201)
 /// splits the expansion at the jump: for neighbours on the other side it expands about x_k, the first
 /// particle there, instead of x_i. In 1D, with the jump at a known place.
 namespace sph {

@@ -146,8 +146,8 @@ class MomentsFigure {
         plot::Figure figure{"moments", 2, 2};
         figure.at(0, 0).titled("inside, $h$ = " + h + " d$x$");
         figure.at(0, 1).titled("at an end, " + kernel_label(options_.kernel));
-        report::Table line{{"1D, h = " + h + " dx", "rms of m₀ − 1", "rms of m₁/h", "m₂/⟨x²⟩h² − 1"}};
-        report::Table plane{{"2D", "rms of m₀ − 1", "rms of m₁/h", "m₂/⟨x²⟩h² − 1"}};
+        report::Table line{{"1D, h = " + h + " dx", "rms of m₀ − 1", "rms of m₁/h", "m₂/⟨x²⟩ − 1"}};
+        report::Table plane{{"2D", "rms of m₀ − 1", "rms of m₁/h", "m₂/⟨x²⟩ − 1"}};
         against_jitter<1>(run, figure.at(0, 0), options_.h_over_dx, line);
         against_distance<1>(run, figure.at(0, 1), options_.kernel);
         against_jitter<2>(run, figure.at(1, 0), options_.h_over_dx, plane);

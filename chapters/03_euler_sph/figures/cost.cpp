@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "chapters/03_euler_sph/scenes/grid.hpp"
 #include "chapters/03_euler_sph/scenes/star.hpp"
 #include "chapters/03_euler_sph/scenes/wave.hpp"
@@ -83,6 +85,12 @@ double star_race(report::Run& run, plot::Panel& panel) {
                                      contestants(methods, sizes, run.quick(), particles,
                                                  [](std::size_t n) { return run_grid_star(n, A_0); }));
     report::draw_error_against_seconds(panel, tracks);
+    run.claim("floors", [&] {
+        const auto& cubic = std::find_if(tracks.begin(), tracks.end(), [](const report::Track& track) {
+                                return track.who.name == "consistent-h";
+                            })->error;  // N = 25, 35, 50, 75, 100
+        return cubic[2] < cubic[1] && cubic[3] > 1.5 * cubic[2] && cubic[4] > cubic[3];
+    });
     return at_bounds(run, tracks, {0.01, 1e-3, 1e-4}, "cost-star");
 }
 

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <map>
 
 #include "chapters/08_landau_model/scenes/slab.hpp"
 
@@ -13,6 +14,7 @@ void drift(report::Run& run) {
         figure.panel().log_log().labels("step over crossing time", "relative energy drift, $t$ = 2");
     report::Table table{{"method", "courant", "energy drift", "relative L1 of s*", "steps"}};
     double lowest = 0;
+    std::map<std::string, plot::Values> all;
     for (const SlabMethod& method :
          slab_methods().named({"fixed-20", "without-omega", "variable", "narrow-graded"})) {
         plot::Values drifts;
@@ -26,11 +28,22 @@ void drift(report::Run& run) {
                        report::number(profile.l1_s_star, 3), std::to_string(profile.counters.steps)});
         }
         lowest = drifts.front();
+        all[method.name] = drifts;
         axes.curve(courants, drifts, method.styled());
     }
     run.save(figure);
     run.fill("answer-drift", report::below(lowest));
     run.fill("drift", table.markdown());
+    run.claim("drift-powers", [&] {
+        const auto power = [&](const char* method) {
+            const plot::Values& of = all.at(method);
+            return std::log(of.back() / of.front()) / std::log(courants.back() / courants.front());
+        };
+        return power("variable") > 4.3 && power("variable") < 5.2 && power("fixed-20") > 1.5 &&
+               power("fixed-20") < 2.5 && all.at("fixed-20").back() < all.at("variable").back() / 100;
+    });
+    run.claim("drift-omega",
+              [&] { return all.at("without-omega").front() > all.at("without-omega").back() / 2; });
 }
 
 }  // namespace sph::landau

@@ -1,3 +1,5 @@
+#include <map>
+
 #include "chapters/08_landau_model/scenes/slab.hpp"
 
 /// What smoothing lengths and grading do to the slab: all methods, one number of particles.
@@ -10,6 +12,7 @@ void methods(report::Run& run) {
     plot::Panel& axes = figure.panel().labels("$t$", "relative $L$_{1} error of $s$*").log_y();
     axes.legend.outside = true;
     report::Table table{{"method", "t = 2", "4", "6", "8", "10", "energy drift", "steps", "CPU s"}};
+    std::map<std::string, plot::Values> all;
     for (const SlabMethod& method : slab_methods()) {
         plot::Values errors;
         std::vector<std::string> row{method.label};
@@ -30,9 +33,18 @@ void methods(report::Run& run) {
         row.push_back(report::timing(last.seconds));
         table.row(row);
         axes.curve(scene.times, errors, method.styled());
+        all[method.name] = errors;
     }
     run.save(figure);
     run.fill("methods", table.markdown());
+    run.claim("without-omega", [&] {
+        bool smaller = true;
+        for (std::size_t k = 0; k < scene.times.size(); ++k) {
+            const double ratio = all.at("without-omega")[k] / all.at("variable")[k];
+            smaller = smaller && ratio > 0.6 && ratio < 0.82;
+        }
+        return smaller;
+    });
 }
 
 }  // namespace sph::landau

@@ -30,11 +30,8 @@ std::vector<Entry> entries(const TubeFigure& what) {
     half.jitter = 0.1;  // not drawn: it lies on the even one
     all.push_back({best.name + " jitter=0.1", best.label + ", jitter 0.1", best.look, half.n,
                    run_relativistic_tube(half, best), false});
-    all.push_back({"grid",
-                   "grid",
-                   {.colour = plot::Colour{0.5, 0.5, 0.5}, .marker = plot::Marker::plus},
-                   what.scene.n,
-                   run_grid_relativistic_tube(what.scene)});
+    all.push_back(
+        {"grid", "grid", plot::competitor("grid"), what.scene.n, run_grid_relativistic_tube(what.scene)});
     return all;
 }
 
@@ -45,7 +42,6 @@ void draw(report::Run& run, const TubeFigure& what, const std::vector<Entry>& al
     const auto panel = [&](int row, int column, const std::string& label,
                            Column Profile::*quantity) -> plot::Panel& {
         plot::Panel& axes = figure.at(row, column).labels("$x$", label).x_range(what.low, what.high);
-        axes.curve(exact.x, exact.*quantity, plot::exact());
         for (auto entry = all.rbegin(); entry != all.rend(); ++entry) {  // the grid below the particles
             if (!entry->drawn) continue;
             plot::Style look = plot::dots(entry->look, 3);
@@ -53,6 +49,7 @@ void draw(report::Run& run, const TubeFigure& what, const std::vector<Entry>& al
             if (entry->n != what.scene.n) look.label += ", $N$ = " + std::to_string(entry->n);
             axes.points(entry->run.profile.x, entry->run.profile.*quantity, look);
         }
+        axes.curve(exact.x, exact.*quantity, plot::exact());
         axes.legend.shown = row == 0 && column == 1;
         axes.legend.outside = true;
         return axes;
@@ -66,7 +63,7 @@ void draw(report::Run& run, const TubeFigure& what, const std::vector<Entry>& al
 
 }  // namespace
 
-void tube_figure(report::Run& run, TubeFigure what) {
+std::map<std::string, report::Quantities> tube_figure(report::Run& run, TubeFigure what) {
     if (run.quick()) what.scene.n = 100;
     const std::vector<Entry> all = entries(what);
     draw(run, what, all);
@@ -81,18 +78,20 @@ void tube_figure(report::Run& run, TubeFigure what) {
          {"energy drift", "energy_drift", [](double drift) { return below(std::max(drift, 1e-13)); }},
          {"steps", "steps", whole()},
          {"CPU s", "cpu_seconds", time_in(1)}}};
+    std::map<std::string, Quantities> errors_of;
     for (const Entry& entry : all) {
         const TubeRun& tube = entry.run;
         const Shock shock = shock_of(tube, what.scene).value_or(nowhere);
-        const Quantities errors{{"l1_rho", tube.l1_rho},
-                                {"l1_v", tube.l1_v},
-                                {"l1_p", tube.l1_p},
-                                {"shock_error", shock.error},
-                                {"shell_peak", shock.peak}};
+        const Quantities& errors = errors_of[entry.name] = {{"l1_rho", tube.l1_rho},
+                                                            {"l1_v", tube.l1_v},
+                                                            {"l1_p", tube.l1_p},
+                                                            {"shock_error", shock.error},
+                                                            {"shell_peak", shock.peak}};
         table.add(run, entry.name, entry.n, {entry.label, std::to_string(entry.n)},
                   errors + tube.drifts() + tube.costs(), entry.noisy ? Digits::noisy : Digits::stable);
     }
     run.fill(what.name, table.markdown());
+    return errors_of;
 }
 
 }  // namespace sph::landau

@@ -1,4 +1,7 @@
 #pragma once
+#include <map>
+#include <string>
+
 #include "chapters/08_landau_model/scenes/relativistic_tube.hpp"
 
 namespace sph::landau {
@@ -12,7 +15,7 @@ struct TubeFigure {
     bool classical_has_half = false;
 };
 /// A tube by both dissipations, even and disordered, and by the grid: profiles, and a table of errors. One
-/// thread: seconds are those of one.
-void tube_figure(report::Run& run, TubeFigure figure);
+/// thread: seconds are those of one. Returns the errors by method.
+std::map<std::string, report::Quantities> tube_figure(report::Run& run, TubeFigure figure);
 
 }  // namespace sph::landau
