@@ -23,6 +23,16 @@ TEST_CASE("leapfrog and reversible steps return to where they began") {
     const ReversalRun fixed = run_reversal("fixed point", 5, 500);
     CHECK(fixed.bitwise);
     CHECK(fixed.velocity_error == 0);
+    // What stands still returns, too: the run must be the one with floating-point numbers. Fails if the
+    // quantum multiplies where it should divide.
+    const ReversalRun floating = run_reversal("drift-kick-drift", 5, 500);
+    double apart = 0, fastest = 0;
+    for (std::size_t i = 0; i < fixed.v.size(); ++i) {
+        apart = std::max({apart, std::abs(fixed.v[i] - floating.v[i]), std::abs(fixed.x[i] - floating.x[i])});
+        fastest = std::max(fastest, std::abs(fixed.v[i]));
+    }
+    CHECK(fastest > 0.04);  // the amplitude is 0.05
+    CHECK(apart < 2e-12);   // measured 1.9e-13
     CHECK_THROWS_AS(run_reversal("euler", 1), std::invalid_argument);
 }
 
