@@ -62,8 +62,10 @@ std::string story(report::Run& run, const TubeScene& scene,
     }
     const TubeRun &alpha = drawn[0].second, &best = drawn[1].second;
     run.claim("sod-best", [&] {
+        const auto alone = [&](const char* name) { return run_tube(scene, tube_methods()[name]).l1_v; };
         return best.l1_rho < 0.8 * alpha.l1_rho && best.l1_v < 0.6 * alpha.l1_v &&
-               best.l1_p < 0.6 * alpha.l1_p;
+               best.l1_p < 0.6 * alpha.l1_p && alone("narrow") > 0.7 * alpha.l1_v &&
+               alone("reconstructed-cubic") > 0.7 * alpha.l1_v;
     });
     run.claim("sod-head", [&] { return best.overshoot > 0.02 && best.overshoot > alpha.overshoot; });
     return table.markdown();

@@ -67,7 +67,7 @@ Entropies follow_entropy(report::Run& run, const std::string& method_name, const
     const Entropies found{worst_behind_shock(tube, exact, &Profile::v), entropy_gained(tube, scene),
                           entropy_of(after, scene.gamma)[0] / before - 1};
     run.record(method_name, scene.n, {{"velocity_noise", found.noise}, {"entropy_gained", found.gain}});
-    run.fill("noise-" + method_name, report::number(100 * found.noise, 1));
+    run.fill("noise-" + method_name, report::number(100 * found.noise, 2));
     run.fill("entropy-due", report::number(100 * found.due, 2));
     return found;
 }

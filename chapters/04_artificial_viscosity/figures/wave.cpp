@@ -47,6 +47,7 @@ std::string story_table(const std::vector<report::Track>& tracks) {
     const std::string wide = "cubic, 1.2", narrow = "quadratic, 1";
     for (const auto& [name, viscosity, kernel] : {std::tuple{"alpha-beta", "α = 1, β = 2", wide},
                                                   {"narrow", "signal, K = 0.85", narrow},
+                                                  {"morris-monaghan", "Morris–Monaghan", wide},
                                                   {"none", "none", wide},
                                                   {"none-narrow", "none", narrow},
                                                   {"reconstructed-cubic", "reconstructed", wide},
