@@ -1,11 +1,13 @@
 #pragma once
+#include <limits>
+
 #include "chapters/04_artificial_viscosity/dissipation.hpp"
 #include "chapters/04_artificial_viscosity/slopes.hpp"
 
 /// Real viscosity, in two forms. The parameter of both is the KINEMATIC viscosity nu = mu/rho
-/// [length^2/time], the same everywhere; the dynamic one is then mu = rho nu. Both act on particles that
-/// approach each other and on those that recede, conserve momentum, and heat by what they take from the
-/// motion.
+/// [length^2/time], the same everywhere; the dynamic one is then mu = rho nu. Where fluids differ, each
+/// particle has a DYNAMIC viscosity mu of its own. Both forms act on particles that approach each other and
+/// on those that recede, conserve momentum, and heat by what they take from the motion.
 namespace sph {
 
 template <class T>
@@ -16,13 +18,26 @@ constexpr Knob<T> nu_knob(double T::*nu) {
 /// factor nu/min(h_i, h_j)^2: the rate [1/time] at which viscosity evens out velocities between neighbours.
 /// The step is courant over the largest of these and of SignalRate. Tested: with courant = 0.3 the factors
 /// below hold, twice that is too much for the pairwise form.
-Tile viscous_rate(double factor, double nu, const auto& i, const auto& j, const auto& pair) {
+Tile viscous_rate(double factor, const auto& nu, const auto& i, const auto& j, const auto& pair) {
     const Tile h = j.h.min(i.h);
     return (mean_F(pair) < 0).select(factor * nu / (h * h), 0.0);
 }
 
-/// Pi_ij = -coefficient mu_i mu_j/(rho_i rho_j (mu_i + mu_j)) v_ij . x_ij/(r^2 + epsilon h^2)   (Monaghan
-/// 2005, 8.9; Cleary 1998), with mu = rho nu. Central forces: angular momentum is conserved too.
+/// Pi_ij = -coefficient eta_ij v_ij . x_ij/(r^2 + epsilon h^2), eta_ij = mu_i mu_j/(rho_i rho_j (mu_i +
+/// mu_j))   (Monaghan 2005, 8.9; Cleary 1998), for an eta [length^5/(mass time) in 3D] that is known.
+Tile pair_friction(const auto& viscosity, const Tile& eta, const auto& i, const auto& j, const auto& pair) {
+    const Tile h = 0.5 * (i.h + j.h);
+    const Tile stretch = dot(i.v_mid - j.v_mid, pair.x_ij) / (pair.r * pair.r + viscosity.epsilon * h * h);
+    return -viscosity.coefficient * eta * stretch;
+}
+/// The force of a pair, and how it limits the step.
+void add_friction(const auto& viscosity, const auto& i, const auto& j, const auto& pair, auto& sum) {
+    sum.dv_dt -= j.m * viscosity.pressure(i, j, pair) * mean_F(pair) * pair.x_ij;
+    sum.step_rate = sum.step_rate.max(viscosity.rate(i, j, pair));
+}
+
+/// (8.9) with mu = rho nu, so that eta_ij = nu/(rho_i + rho_j). Central forces: angular momentum is conserved
+/// too.
 /// In d dimensions an integral over the neighbourhood gives, with coefficient = 4 (d + 2), the shear
 /// viscosity mu and the bulk viscosity 5/3 mu (after 8.7): 16 in 2D, as printed, 20 in 3D. A sum over few
 /// neighbours gives less: on a square lattice with the cubic spline and h = 1.2 spacings shear would
@@ -34,9 +49,10 @@ struct PairwiseViscosity {
     static constexpr auto knobs() { return std::tuple{nu_knob(&PairwiseViscosity::nu)}; }
     using Reads = List<MiddleVelocity, Density, SmoothingLength>;
     Tile pressure(const auto& i, const auto& j, const auto& pair) const {
-        const Tile h = 0.5 * (i.h + j.h);
-        const Tile stretch = dot(i.v_mid - j.v_mid, pair.x_ij) / (pair.r * pair.r + epsilon * h * h);
-        return -coefficient * nu / (i.rho + j.rho) * stretch;
+        return pair_friction(*this, nu / (i.rho + j.rho), i, j, pair);
+    }
+    Tile rate(const auto& i, const auto& j, const auto& pair) const {
+        return viscous_rate(8, nu, i, j, pair);
     }
 };
 template <>
@@ -46,9 +62,54 @@ struct ViscousForce<PairwiseViscosity> {
     using ReadsJ = List<Mass>;
     using Adds = List<Acceleration, StepRate>;
     void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
-        const Tile weight = j.m * viscosity.pressure(i, j, pair) * mean_F(pair);
-        sum.dv_dt -= weight * pair.x_ij;
-        sum.step_rate = sum.step_rate.max(viscous_rate(8, viscosity.nu, i, j, pair));
+        add_friction(viscosity, i, j, pair, sum);
+    }
+};
+
+/// A particle's own DYNAMIC viscosity, mu >= 0 [mass/(length time) in 3D, mass/time in 2D].
+struct DynamicViscosity {
+    static constexpr std::string_view name = "dynamic viscosity";
+    template <class T, int>
+    struct In {
+        T mu{};
+    };
+};
+/// No detector: the scene says once what the viscosity of each particle is.
+struct GivenViscosity {
+    using Columns = List<DynamicViscosity>;
+    using Slopes = List<>;
+};
+/// The mean of two dynamic viscosities. Harmonic, 2 mu_i mu_j/(mu_i + mu_j): that of equal layers in series,
+/// which (8.9) has; stress is continuous where mu jumps, and a fluid without viscosity holds no other back.
+/// Arithmetic, (mu_i + mu_j)/2: that of layers side by side (Morris, Fox & Zhu 1997, J. Comput. Phys. 136,
+/// 214, add both so); for the question what is wrong with it.
+enum class MeanViscosity { harmonic, arithmetic };
+
+/// (8.9) between fluids whose mu differs: eta_ij = mean of mu_i and mu_j/(2 rho_i rho_j). Which mean is asked
+/// once in eight pairs, so that both are one pass.
+struct LayeredViscosity {
+    MeanViscosity mean = MeanViscosity::harmonic;
+    double coefficient = 16, epsilon = 1e-4;  ///< as in PairwiseViscosity
+    using Reads = List<MiddleVelocity, Density, SmoothingLength, DynamicViscosity>;
+    Tile pressure(const auto& i, const auto& j, const auto& pair) const {
+        const Tile sum = i.mu + j.mu;
+        const Tile half_mean = mean == MeanViscosity::harmonic
+                                   ? i.mu * j.mu / sum.max(std::numeric_limits<double>::min())
+                                   : sum / 4;
+        return pair_friction(*this, half_mean / (i.rho * j.rho), i, j, pair);
+    }
+    Tile rate(const auto& i, const auto& j, const auto& pair) const {
+        return viscous_rate(8, (j.mu / j.rho).max(i.mu / i.rho), i, j, pair);
+    }
+};
+template <>
+struct ViscousForce<LayeredViscosity> {
+    LayeredViscosity viscosity;
+    using Reads = LayeredViscosity::Reads;
+    using ReadsJ = List<Mass>;
+    using Adds = List<Acceleration, StepRate>;
+    void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
+        add_friction(viscosity, i, j, pair, sum);
     }
 };
 

@@ -40,7 +40,8 @@ constexpr std::array looks{
     Look{"narrow", Hue::violet, Marker::triangle_up}, Look{"reconstructed", Hue::blue, Marker::circle},
     Look{"reconstructed-cubic", Hue::green, Marker::diamond}, Look{"balsara", Hue::gold, Marker::diamond},
     Look{"colagrossi", Hue::pink, Marker::square}, Look{"pairwise", Hue::blue, Marker::circle},
-    Look{"stress", Hue::orange, Marker::triangle_up},
+    Look{"stress", Hue::orange, Marker::triangle_up}, Look{"layered", Hue::indigo, Marker::square},
+    Look{"layered-arithmetic", Hue::sky, Marker::diamond},
     // chapter 8: relativistic gas, and the slab
     Look{"chow-monaghan", Hue::orange, Marker::circle}, Look{"fixed-4", Hue::brown, Marker::triangle_up},
     Look{"fixed-10", Hue::sky, Marker::cross}, Look{"fixed-20", Hue::violet, Marker::triangle_down},

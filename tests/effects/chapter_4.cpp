@@ -22,6 +22,7 @@ std::vector<Subject> chapter_4() {
     const auto conducts = antisymmetric(mass, more_u), rate = symmetric(one, positive);
     const PairwiseViscosity pairwise{.nu = 0.1};
     const StressViscosity stress{.nu = 0.1};
+    const LayeredViscosity harmonic, arithmetic{.mean = MeanViscosity::arithmetic};
     return {
         force(BulkPressure{}),
         heat(BulkPressure{}),
@@ -37,6 +38,10 @@ std::vector<Subject> chapter_4() {
         heat(ReconstructedViscosity{}),
         of_gradients(ViscousForce<PairwiseViscosity>{pairwise}, {antisymmetric(mass, friction), rate}),
         of_gradients(ViscousHeating<PairwiseViscosity>{pairwise}, {symmetric(mass, positive)}),
+        of_gradients(ViscousForce<LayeredViscosity>{harmonic}, {antisymmetric(mass, friction), rate}),
+        of_gradients(ViscousHeating<LayeredViscosity>{harmonic}, {symmetric(mass, positive)}),
+        of_gradients(ViscousForce<LayeredViscosity>{arithmetic}, {antisymmetric(mass, friction), rate}),
+        of_gradients(ViscousHeating<LayeredViscosity>{arithmetic}, {symmetric(mass, positive)}),
         of_gradients(ViscousForce<StressViscosity>{stress}, {antisymmetric(mass, nothing), rate}),
         of_gradients(ViscousHeating<StressViscosity>{stress}, {neither(nothing, "the stress of i only")}),
         of_gradients(Conduction<SignalSpeed>{}, {conducts}),

@@ -15,11 +15,11 @@ namespace sph::tested {
 
 /// All that the book's effects read. One that reads more does not compile here: name the column, and below
 /// where its numbers lie.
-using AllColumns =
-    List<Position, Velocity, MiddleVelocity, Mass, Density, Volume, Quantity, Pressure, SoundSpeed,
-         ThermalEnergy, SmoothingLength, GradH, ViscousPressure, ViscosityAlpha, ShearFactor, ConductionAlpha,
-         ViscousStress, VelocityGradient, PressureGradient, Entropy, EntropyDensity, BaryonDensity,
-         MomentumPerCharge, EnergyPerBaryon, Enthalpy, Rapidity, RapidityGradient, LabPressureGradient>;
+using AllColumns = List<Position, Velocity, MiddleVelocity, Mass, Density, Volume, Quantity, Pressure,
+                        SoundSpeed, ThermalEnergy, SmoothingLength, GradH, ViscousPressure, ViscosityAlpha,
+                        ShearFactor, ConductionAlpha, DynamicViscosity, ViscousStress, VelocityGradient,
+                        PressureGradient, Entropy, EntropyDensity, BaryonDensity, MomentumPerCharge,
+                        EnergyPerBaryon, Enthalpy, Rapidity, RapidityGradient, LabPressureGradient>;
 
 /// Where the components of a column lie. Of either sign, if nothing else is said.
 struct Range {
@@ -42,6 +42,8 @@ template <>
 inline constexpr Range range_of<GradH>{0.7, 1.3};
 template <>
 inline constexpr Range range_of<ViscousPressure>{0, 3};
+template <>
+inline constexpr Range range_of<DynamicViscosity>{0, 3};
 template <>
 inline constexpr Range range_of<ViscosityAlpha>{0.1, 2};
 template <>

@@ -33,5 +33,8 @@ const Methods<1>& kernel_methods();
 const Methods<2>& plane_methods();
 /// Real viscosities in the plane, with the parameter nu: `pairwise`   (8.9) and `stress`   (Chen 2017, 49).
 const Methods<2>& viscous_methods();
+/// Real viscosities where each particle has its own, in the column DynamicViscosity, which the scene fills:
+/// `layered`   (8.9) and `layered-arithmetic`, the same with the mean that does not keep stress continuous.
+const Methods<2>& layered_methods();
 
 }  // namespace sph::shocks

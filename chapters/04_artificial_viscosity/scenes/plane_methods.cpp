@@ -8,6 +8,7 @@ namespace {
 using Sheared = Scaled<SignalViscosity, ShearFactor>;
 using Reconstructed = Dissipation<ReconstructedViscosity, Conduction<ContactSpeed>, FlowSlopes>;
 using Pairwise = Dissipation<PairwiseViscosity>;
+using Layered = Dissipation<LayeredViscosity, NoConduction, GivenViscosity>;
 using Stress = Dissipation<StressViscosity, NoConduction, StressDetector>;
 
 /// Why Wendland C4, and why h = 1.6 spacings: with the cubic spline and 1.2 spacings a lattice that is
@@ -45,6 +46,14 @@ const Methods<2>& viscous_methods() {
     static const Methods<2> methods{"pairwise",
                                     {wendland("pairwise", "pairwise (8.9)", Pairwise{}, wide),
                                      wendland("stress", "stress", Stress{}, wide)}};
+    return methods;
+}
+
+const Methods<2>& layered_methods() {
+    static const Methods<2> methods{"layered",
+                                    {wendland("layered", "harmonic mean (8.9)", Layered{}, wide),
+                                     wendland("layered-arithmetic", "arithmetic mean",
+                                              Layered{{.mean = MeanViscosity::arithmetic}}, wide)}};
     return methods;
 }
 

@@ -14,6 +14,7 @@ std::vector<std::unique_ptr<Solution>> solutions() {
     list.push_back(shear_wave());
     list.push_back(taylor_green());
     list.push_back(toy_star());
+    list.push_back(two_layer());
     list.push_back(woodward_colella());
     return list;
 }

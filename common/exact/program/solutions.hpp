@@ -16,6 +16,7 @@ std::unique_ptr<Solution> sedov();
 std::unique_ptr<Solution> shear_wave();
 std::unique_ptr<Solution> taylor_green();
 std::unique_ptr<Solution> toy_star();
+std::unique_ptr<Solution> two_layer();
 std::unique_ptr<Solution> woodward_colella();
 
 }  // namespace exact::program
