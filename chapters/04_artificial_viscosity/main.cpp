@@ -24,6 +24,7 @@ void noh_plane(report::Run& run);
 void sedov(report::Run& run);
 void shear_layer(report::Run& run);
 void viscous(report::Run& run);
+void layers(report::Run& run);
 void cost(report::Run& run);
 void cost_of_effects(report::Run& run);
 }  // namespace sph::shocks
@@ -57,6 +58,7 @@ int main(int argc, char** argv) {
         .timed_figure("shear-layer", "a shear layer, which artificial viscosity should leave alone",
                       shear_layer)
         .timed_figure("viscous", "real viscosity: a decaying shear wave and Taylor-Green vortices", viscous)
+        .figure("layers", "two layers of different viscosity between moving walls", layers)
         .timed_figure("cost", "error against CPU time, beside a grid", cost)
         .timed_figure("cost-of-effects", "what each listed effect adds to the cost of a pair",
                       cost_of_effects)
