@@ -31,10 +31,10 @@ void tell_claims(const Claims& claims, const std::string& changed) {
     const std::string skipped = names_with(Verdict::skipped, claims);
     const std::string failing = names_with(Verdict::fails, claims);
     if (!skipped.empty()) fmt::print(stderr, "claims that need a full run: {}\n", skipped);
-    if (failing.empty()) return;
-    if (changed.empty())
-        throw app::Error{app::ExitCode::failed, "claims of the text that do not hold: " + failing};
-    fmt::print(stderr, "warning: claims of the text that do not hold with {}: {}\n", changed, failing);
+    if (!failing.empty())
+        fmt::print(stderr, "warning: claims of the text that do not hold {}: {}\n",
+                   changed.empty() ? "in this run (those about times: on this machine)" : "with " + changed,
+                   failing);
 }
 
 void rewrite_text(const std::filesystem::path& readme, const Blocks& blocks) {

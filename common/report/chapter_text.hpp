@@ -16,9 +16,10 @@ struct Text {
 /// Throws app::Error, with each difference on standard error, unless the text shows the blocks' numbers, and
 /// the claims of both texts are those that were asserted and hold.
 void compare_text(const Text& text, const Blocks& blocks, const Claims& claims);
-/// After a run that does not look at the text: says on standard error which claims need a full run. A claim
-/// that does not hold is an app::Error with the book's parameters; with others (`changed` names them) it is
-/// what the reader has found out, and a warning.
+/// After a run that does not look at the text: says on standard error which claims need a full run, and warns
+/// of those that do not hold. With the reader's parameters (`changed` names them) that is what the reader has
+/// found out; with the book's it may be a busy machine, where a claim is about times. The test of the text is
+/// what judges.
 void tell_claims(const Claims& claims, const std::string& changed);
 /// Puts the blocks into the text. Throws app::Error where blocks and markers do not fit.
 void rewrite_text(const std::filesystem::path& readme, const Blocks& blocks);

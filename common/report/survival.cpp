@@ -92,11 +92,11 @@ void Survival::record(Run& run) const {
 }
 
 std::string Survival::table() const {
-    std::vector<std::string> header{judge_ ? "runs passed" : "runs finished"};
-    header.insert(header.end(), cases_.begin(), cases_.end());
-    if (with_total_) header.emplace_back("all");
-    if (judge_) header.emplace_back("finished, but wrong");
-    Table table{header};
+    std::vector<std::string> titles{judge_ ? "runs passed" : "runs finished"};
+    titles.insert(titles.end(), cases_.begin(), cases_.end());
+    if (with_total_) titles.emplace_back("all");
+    if (judge_) titles.emplace_back("finished, but wrong");
+    Table table{titles};
     for (const Contestant& who : contestants_) {
         std::vector<std::string> row{who.label};
         for (std::size_t k = 0; k < cases_.size(); ++k) row.push_back(share(count(who, k)));

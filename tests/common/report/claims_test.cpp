@@ -88,11 +88,14 @@ TEST_CASE("a run that does not look at the text says what it finds of its claims
     const auto quick = book.run({"--quick"});
     CHECK(quick.status == 0);
     CHECK_THAT(quick.err, Catch::Contains("claims that need a full run: falls\n"));
-    CHECK_THAT(book.run({}).err, Catch::Contains("error: claims of the text that do not hold: falls\n"));
+    const auto full = book.run({});
+    CHECK(full.status == 0);  // a busy machine breaks claims about times
+    CHECK_THAT(full.err, Catch::Contains("warning: claims of the text that do not hold in this run"));
     CHECK(book.has("renders/01_test/errors.png"));  // what was made is there
     const auto own = book.run({"--only", "errors", "--width", "2"});
     CHECK(own.status == 0);
-    CHECK_THAT(own.err, Catch::Contains("warning: claims of the text that do not hold with --width 2: falls"));
+    CHECK_THAT(own.err,
+               Catch::Contains("warning: claims of the text that do not hold with --width 2: falls"));
     book.after_errors = asserting(false, report::Needs::any_run);
-    CHECK(book.run({"--quick"}).status == 1);
+    CHECK_THAT(book.run({"--quick"}).err, Catch::Contains("that do not hold in this run"));
 }
