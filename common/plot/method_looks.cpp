@@ -4,10 +4,10 @@
 #include <array>
 #include <stdexcept>
 
+#include "common/plot/looks.hpp"
+
 namespace plot {
 namespace {
-
-constexpr Colour black{0, 0, 0}, grey{0.5, 0.5, 0.5};
 
 /// Colours of the cycle, by the names that captions use.
 enum class Hue : std::size_t { blue, orange, green, pink, sky, gold, ink, brown, indigo, violet };
@@ -51,9 +51,9 @@ constexpr std::array looks{
 }  // namespace
 
 Style look_of(std::string_view method, std::string label) {
-    if (method == "grid") return {.label = std::move(label), .colour = black, .marker = Marker::cross};
+    if (method == "grid") return competitor(std::move(label));
     if (method == "grid-lagrangian")
-        return {.label = std::move(label), .colour = grey, .marker = Marker::plus};
+        return {.label = std::move(label), .colour = Colour{0.5, 0.5, 0.5}, .marker = Marker::plus};
     const auto* found =
         std::find_if(looks.begin(), looks.end(), [&](const Look& look) { return look.method == method; });
     if (found == looks.end())

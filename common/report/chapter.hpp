@@ -51,9 +51,10 @@ class Run {
     /// text.
     virtual void fill(const std::string& name, const std::string& text) = 0;
     /// What the sentence between <!-- claim NAME --> and <!-- end --> in the chapter's text says, asserted
-    /// with the numbers of this run. A quick run evaluates it only if its sizes suffice; the full run fails
-    /// where a claim does not hold, has no sentence, or a sentence nobody asserts. Throws
-    /// std::invalid_argument for a name that the run has asserted already.
+    /// with the numbers of this run. A quick run evaluates it only if its sizes suffice. A run that looks at
+    /// the text (--check-text, --update-text) fails where a claim does not hold, has no sentence, or a
+    /// sentence nobody asserts; any other only warns. Throws std::invalid_argument for a name that the run
+    /// has asserted already.
     virtual void claim(const std::string& name, const std::function<bool()>& holds,
                        Needs needs = Needs::full_run) = 0;
     /// Like report::time, with fewer samples if quick; a single call where only the text is being checked.

@@ -65,7 +65,7 @@ std::vector<std::pair<const Track*, plot::Style>> looks_of(const std::vector<Tra
 
 std::string Reading::text(double factor) const {
     if (kind == Kind::not_reached) return never_reached;
-    if (kind == Kind::not_in_time) return "≈ no run";
+    if (kind == Kind::not_in_time) return no_run;
     return (kind == Kind::at_most ? "≤ " : "") + timing(factor * value);
 }
 

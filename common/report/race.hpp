@@ -32,9 +32,6 @@ struct RaceCourse {
     double repeat_below = std::numeric_limits<double>::infinity();  ///< [s] longer laps are run once
 };
 
-/// In the place of a cost: no run of the contestant has so small an error.
-inline constexpr const char* never_reached = "not reached";
-
 /// What a curve says at a place: a value, a bound where the place lies before its first point, or nothing.
 struct Reading {
     enum class Kind { value, at_most, not_reached, not_in_time } kind = Kind::not_reached;

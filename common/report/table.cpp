@@ -40,7 +40,7 @@ bool is_number(std::string_view cell) {
 
 /// In the place of a number that there is not.
 bool is_gap(std::string_view cell) {
-    return cell.empty() || cell == "-" || cell == "–" || cell == "not reached";
+    return cell.empty() || cell == "-" || cell == "–" || cell == never_reached;
 }
 
 std::string padded(const std::string& cell, std::size_t width, bool right) {

@@ -23,6 +23,10 @@ std::string below(double value);
 /// run. From 1 to a million in plain digits: "≈2.4", "≈240", "≈15000".
 std::string timing(double value, int digits = 2);
 
+/// In the place of a cost: no run of a contestant has so small an error; none takes so little time on this
+/// machine, which like a time is never compared.
+inline constexpr const char *never_reached = "not reached", *no_run = "≈ no run";
+
 /// A row of a CSV file, "1,2.5\n": every digit of the doubles.
 std::string csv_row(const std::vector<double>& values);
 /// Columns of one length under their names, as a CSV file.

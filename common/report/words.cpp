@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "common/report/text.hpp"
+
 namespace report::words {
 namespace {
 
@@ -108,7 +110,7 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
 /// and without what depends on times: a bound of a timing, or none, is a timing.
 std::vector<std::string> lines_of(std::string_view text) {
     std::vector<std::string> lines;
-    std::istringstream stream{replaced(replaced(std::string{text}, "≤ ≈", "≈"), "≈ no run", "≈0")};
+    std::istringstream stream{replaced(replaced(std::string{text}, "≤ ≈", "≈"), no_run, "≈0")};
     for (std::string line; std::getline(stream, line);) {
         std::string kept;
         for (char c : line) {

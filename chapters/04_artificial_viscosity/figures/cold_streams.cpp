@@ -56,7 +56,8 @@ void draw_streams(report::Run& run, plot::Figure& figure) {
         phase.curve(streams.x, streams.v, method.styled());
     }
     run.fill("cold-streams", table.markdown());
-    run.claim("beta-holds-apart", [&] { return closest[0] == 0 && closest[1] > 0.2; });
+    run.claim(
+        "beta-holds-apart", [&] { return closest[0] == 0 && closest[1] > 0.2; }, report::Needs::any_run);
 }
 
 }  // namespace

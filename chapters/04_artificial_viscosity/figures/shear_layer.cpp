@@ -72,8 +72,10 @@ void shear_layer(report::Run& run) {
     decay.y_range(0.6, 1.05);
     run.save(figure);
     run.fill("shear-layer", table.markdown());
-    run.claim("shear-is-viscous",
-              [&] { return nu["alpha-beta"] > 0.75 * half_the_pairs && nu["alpha-beta"] < half_the_pairs; });
+    run.claim(
+        "shear-is-viscous",
+        [&] { return nu["alpha-beta"] > 0.75 * half_the_pairs && nu["alpha-beta"] < half_the_pairs; },
+        report::Needs::any_run);
     run.claim("shear-cured", [&] {
         return std::all_of(nu.begin(), nu.end(), [&](const auto& of) {
             return of.first == "alpha-beta" || of.first.starts_with("signal") || of.first == "none-cubic" ||

@@ -11,30 +11,24 @@
 namespace sph::shocks {
 namespace {
 
-/// The largest relative error of f between contact and shock, five hundredths away from both.
-double worst_behind_shock(const TubeRun& tube, const ExactTube& exact, Column Profile::*f) {
-    const double begin = exact.contact + 0.05, end = exact.jumps.front() - 0.05;
-    double worst = 0;
-    for (std::size_t i = 0; i < tube.profile.x.size(); ++i) {
-        const double x = tube.profile.x[i];
-        if (x > begin && x < end)
-            worst = std::max(worst, std::abs((tube.profile.*f)[i] / (tube.exact.*f)[i] - 1));
-    }
-    return worst;
-}
-
-/// The largest relative change of entropy of the particles that the shock has passed.
-double entropy_gained(const TubeRun& tube, const TubeScene& scene) {
-    const double before = scene.right.p / std::pow(scene.right.rho, scene.gamma);
-    const Column entropy = entropy_of(tube.profile, scene.gamma);
+/// What a method has made of the gas between contact and shock, five hundredths away from both.
+Entropies between_contact_and_shock(const TubeRun& tube, const TubeScene& scene) {
     const ExactTube exact = gas_tube(scene).exact;
-    double sum = 0, count = 0;
-    for (std::size_t i = 0; i < entropy.size(); ++i) {
-        if (tube.profile.x[i] < exact.contact + 0.05 || tube.profile.x[i] > exact.jumps.front() - 0.05)
-            continue;
-        sum += entropy[i] / before - 1, ++count;
+    const double begin = exact.contact + 0.05, end = exact.jumps.front() - 0.05;
+    const double before = scene.right.p / std::pow(scene.right.rho, scene.gamma);
+    const Column entropy = entropy_of(tube.profile, scene.gamma), due = entropy_of(tube.exact, scene.gamma);
+    Entropies found;
+    double count = 0;
+    for (std::size_t i = 0; i < tube.profile.x.size(); ++i) {
+        if (tube.profile.x[i] < begin || tube.profile.x[i] > end) continue;
+        ++count;
+        found.noise = std::max(found.noise, std::abs(tube.profile.v[i] / tube.exact.v[i] - 1));
+        found.largest_gain = std::max(found.largest_gain, entropy[i] / before - 1);
+        found.gain += entropy[i] / before - 1;
+        found.due = due[i] / before - 1;
     }
-    return sum / count;
+    found.gain /= count;
+    return found;
 }
 
 /// Velocity and entropy of one method.
@@ -61,11 +55,7 @@ Entropies follow_entropy(report::Run& run, const std::string& method_name, const
     const Method<1>& method = tube_methods()[method_name];
     const TubeRun tube = run_tube(scene, method);
     draw(run, figure, scene, tube, method);
-    const ExactTube exact = gas_tube(scene).exact;
-    const Profile after = exact_profile(scene, exact.contact + 0.06, exact.contact + 0.07);
-    const double before = scene.right.p / std::pow(scene.right.rho, scene.gamma);
-    const Entropies found{worst_behind_shock(tube, exact, &Profile::v), entropy_gained(tube, scene),
-                          entropy_of(after, scene.gamma)[0] / before - 1};
+    const Entropies found = between_contact_and_shock(tube, scene);
     run.record(method_name, scene.n, {{"velocity_noise", found.noise}, {"entropy_gained", found.gain}});
     run.fill("noise-" + method_name, report::number(100 * found.noise, 2));
     run.fill("entropy-due", report::number(100 * found.due, 2));

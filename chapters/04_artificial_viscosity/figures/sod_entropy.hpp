@@ -8,9 +8,10 @@ namespace sph::shocks {
 
 /// What a method makes of the gas between contact and shock, relative.
 struct Entropies {
-    double noise;  ///< the largest error of a velocity
-    double gain;   ///< of P/rho^gamma, in the mean
-    double due;    ///< what the exact solution gains
+    double noise = 0;         ///< the largest error of a velocity
+    double gain = 0;          ///< of P/rho^gamma, in the mean
+    double largest_gain = 0;  ///< of any particle; 0 at least
+    double due = 0;           ///< what the exact solution gains
 };
 /// Draws the figure, and hands over rows and the numbers of the text.
 Entropies follow_entropy(report::Run& run, const std::string& method, const std::string& figure);
