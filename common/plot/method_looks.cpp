@@ -23,6 +23,7 @@ constexpr std::array looks{
     Look{"sph", Hue::orange, Marker::square}, Look{"differences", Hue::green, Marker::triangle_up},
     Look{"by-axes", Hue::sky, Marker::plus}, Look{"cspm", Hue::pink, Marker::diamond},
     Look{"linear", Hue::indigo, Marker::triangle_down}, Look{"fit", Hue::blue, Marker::circle},
+    Look{"dsph", Hue::sky, Marker::circle}, Look{"one-sided", Hue::violet, Marker::square},
     // chapter 3: where density and h come from
     Look{"fixed-h", Hue::brown, Marker::square}, Look{"averaged-h", Hue::sky, Marker::triangle_up},
     Look{"without-omega", Hue::violet, Marker::diamond}, Look{"consistent-h", Hue::blue, Marker::circle},
@@ -44,7 +45,7 @@ constexpr std::array looks{
     Look{"layered-arithmetic", Hue::sky, Marker::diamond},
     // chapter 8: relativistic gas, and the slab
     Look{"chow-monaghan", Hue::orange, Marker::circle}, Look{"fixed-4", Hue::brown, Marker::triangle_up},
-    Look{"fixed-10", Hue::sky, Marker::cross}, Look{"fixed-20", Hue::violet, Marker::triangle_down},
+    Look{"fixed-10", Hue::sky, Marker::cross}, Look{"fixed-20", Hue::gold, Marker::circle},
     Look{"variable", Hue::orange, Marker::triangle_down}, Look{"graded", Hue::pink, Marker::triangle_up},
     Look{"quadratic-h", Hue::green, Marker::triangle_down}, Look{"narrow-graded", Hue::blue, Marker::circle}};
 

@@ -20,16 +20,11 @@ void draw_exact(plot::Panel& value, plot::Panel& slope, const Function<1>& funct
     }
 }
 
-/// `index` is the place in JumpLine::schemes.
-plot::Style jump_style(const std::string& label, std::size_t index) {
-    constexpr std::array markers{plot::Marker::square, plot::Marker::circle, plot::Marker::diamond,
-                                 plot::Marker::triangle_up};
-    constexpr std::array<std::size_t, 4> colours{1, 0, 2, 3};
-    return {.label = label,
-            .colour = plot::cycle(colours.at(index)),
-            .marker = markers.at(index),
-            .marker_size = 5,
-            .filled = index == 2};
+/// Open markers, so that those beneath are seen, but for the scheme that is exact here.
+plot::Style jump_style(const JumpScheme& scheme) {
+    plot::Style look = plot::look_of(scheme.name, scheme.label);
+    look.filled = scheme.name == "dsph";
+    return look;
 }
 
 /// One row of panels and two cells of each scheme's row: the step with the same slope on both sides, or with
@@ -52,8 +47,8 @@ void draw_row(report::Run& run, plot::Figure& figure, bool kink,
             run.record(scheme.name + (kink ? " kink" : ""), n,
                        {{"l2_f", errors.value}, {"l2_slope", errors.slope}});
             if (n == 100) {
-                left.points(line.x, scheme.value, jump_style(scheme.label, k));
-                right.points(line.x, scheme.slope, jump_style(scheme.label, k));
+                left.points(line.x, scheme.value, jump_style(scheme));
+                right.points(line.x, scheme.slope, jump_style(scheme));
             } else if (n == 800) {
                 if (!kink) rows[k].push_back(scheme.label);
                 rows[k].push_back(report::number(errors.value, 2));
