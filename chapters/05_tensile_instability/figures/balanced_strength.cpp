@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "chapters/05_tensile_instability/figures/cures.hpp"
+#include "chapters/05_tensile_instability/scenes/response.hpp"
+#include "common/plot/looks.hpp"
+#include "common/report/text.hpp"
+
+namespace sph::tensile {
+namespace {
+
+constexpr std::array tensions{0.1, 0.2, 0.5};
+
+CureMethod with_background(double over_tension) {
+    CureMethod method = cure_methods()["balanced"];
+    method.parameters.set("background", over_tension), method.parameters.set("alpha", 0);
+    return method;
+}
+
+/// The least background pressure over the tension with a growth below 1e-3.
+double least_background(double tension) {
+    double low = 0, high = 3;
+    while (high - low > 1e-3) {
+        const double middle = 0.5 * (low + high);
+        (Response{with_background(middle), -tension}.growth() < 1e-3 ? high : low) = middle;
+    }
+    return high;
+}
+
+/// The free drop: how its radius ends, by whatever holds its particles in order. Much viscosity, so that it
+/// comes to rest.
+double drop_radius(const CureScene& of, CureMethod method) {
+    CureScene scene = of;
+    scene.drop = true, scene.jitter = 0;
+    method.parameters.set("alpha", 1);
+    return run_cure(scene, method).radius;
+}
+
+double kept_shear(const CureScene& of, const CureMethod& method) {
+    CureScene scene = of;
+    scene.shear = 0.05;
+    return run_cure(scene, method).kept_shear;
+}
+
+}  // namespace
+
+/// How strong the balanced background must be, by the matrix of the lattice; and whether what it makes is
+/// still a fluid with a free surface.
+void balanced_strength(report::Run& run) {
+    plot::Figure figure{"balanced-strength", 1, 2};
+    plot::Panel& growth = figure.at(0, 0).labels("$P$_{b} / tension", "growth [$c$/dx]");
+    plot::Panel& sound = figure.at(0, 1).labels("$P$_{b} / tension", "speed of sound [$c$]");
+    for (std::size_t which = 0; which < tensions.size(); ++which) {
+        plot::Values strength, grows, speed;
+        const int points = run.quick() ? 6 : 16;
+        for (int k = 0; k <= points; ++k) {
+            strength.push_back(2.0 * k / points);
+            const Response response{with_background(strength.back()), -tensions[which]};
+            grows.push_back(response.growth()), speed.push_back(response.sound_speed());
+        }
+        const std::string label = fmt::format("tension {:g} ρ $c$^{{2}}", tensions[which]);
+        growth.curve(strength, grows, {.label = label, .colour = plot::cycle(which)});
+        sound.curve(strength, speed, {.label = label, .colour = plot::cycle(which)});
+    }
+    run.save(figure);
+    std::array<double, 3> least{};
+    for (std::size_t which = 0; which < tensions.size(); ++which) {
+        least[which] = least_background(tensions[which]);
+        run.record(fmt::format("tension-{:g}", tensions[which]), Response::per_side,
+                   {{"least_background", least[which], "tension"}});
+    }
+    CureScene scene = cure_scene(run);
+    std::map<std::string, double> radius, shear;
+    for (const char* name : {"viscosity", "background", "balanced"}) {
+        radius[name] = drop_radius(scene, cure_methods()[name]);
+        run.record(std::string{"drop-"} + name, scene.n, {{"radius", radius[name], "start"}});
+    }
+    for (const char* name : {"background", "balanced"}) {
+        shear[name] = kept_shear(scene, cure_methods()[name]);
+        run.record(std::string{"shear-"} + name, scene.n, {{"kept_shear", shear[name]}});
+    }
+    run.fill("least-background", report::fixed(least[1], 2));
+    run.fill("drop-background", report::fixed(radius["background"], 2));
+    run.fill("drop-balanced", report::fixed(radius["balanced"], 2));
+    run.fill("drop-plain", report::fixed(radius["viscosity"], 2));
+    run.fill("shear-balanced", report::fixed(shear["balanced"], 2));
+    run.claim("least-of-all-tensions",
+              [&] { return std::abs(least[0] - least[2]) < 0.02 && least[1] > 1.1 && least[1] < 1.4; });
+    run.claim("drop-needs-balance", [&] {
+        const double rest = 1 / std::sqrt(1 - scene.pressure);  // where the density has raised P to 0
+        return std::abs(radius["balanced"] - rest) < 0.03 && radius["background"] > rest + 0.05;
+    });
+}
+
+}  // namespace sph::tensile
