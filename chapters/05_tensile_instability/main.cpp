@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
                             "Why do particles clump under tension, can it be predicted, what cures it?",
                             source_revision};
     using namespace sph::tensile;
-    chapter.timed_figure("cures", "fifteen ways to treat tension on one scale", cures)
+    chapter.figure("cures", "fifteen ways to treat tension on one scale", cures)
         .figure("cured-particles", "particles under tension at the end, by four methods", cured_particles)
         .figure("balanced-strength", "how strong a balanced background pressure must be", balanced_strength)
         .timed_figure("cure-cost", "what order under tension costs", cure_cost)

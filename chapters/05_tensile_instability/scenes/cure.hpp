@@ -27,7 +27,9 @@ struct CureRun {
     double pairs = 0, seconds = 0;
     long evaluations = 0;        ///< of the rates
 
+    double nanoseconds() const;  ///< CPU time of an evaluation of the rates, a particle
     report::Quantities measured() const;
+    report::Quantities costs() const;
 };
 
 /// Throws Unstable where the run leaves physics.

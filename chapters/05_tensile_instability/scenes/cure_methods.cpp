@@ -166,7 +166,7 @@ std::vector<CureMethod> listed() {
         named("limited", "limited transport",
               with_alpha({by(0.5), parameter("slope", 100, {0, 1e6}, "of the limiter, in (h |g|)^2")}),
               limited),
-        named("difference", "share of P_j - P_i",
+        named("difference", "share of $P$_{j} - $P$_{i}",
               with_alpha({parameter("weight", 0.9, {0, 1}, "share of the difference")}), share),
         named("corrected", "corrected slope", with_alpha({}, 0.5), slope),
         named("linear-exact", "linear-exact, antisymmetric", with_alpha({}), linear_exact),
