@@ -3,8 +3,8 @@
 
 #include "chapters/04_artificial_viscosity/physical_viscosity.hpp"
 #include "chapters/05_tensile_instability/cures.hpp"
-#include "chapters/05_tensile_instability/orderly_motion.hpp"
 #include "chapters/05_tensile_instability/scenes/lattice_box.hpp"
+#include "chapters/05_tensile_instability/total_lagrangian.hpp"
 #include "chapters/01_kernel_interpolation/splines.hpp"
 #include "common/core/renamed.hpp"
 
@@ -95,7 +95,7 @@ struct XsphCure {
     auto effects() const { return forces.effects(); }
     void resolved(auto& p, const auto& sum) const {
         forces.resolved(p, sum);
-        sum(Effects{XsphVelocity{xsph}});
+        sum(Effects{Xsph{.epsilon = xsph}});
     }
 };
 
@@ -109,7 +109,7 @@ struct Shift {
         for (std::size_t i = 0; i < p.size(); ++i) {
             const Vector<2> g{p.disorder[0][i], p.disorder[1][i]};
             const double limiter = slope > 0 ? std::min(1.0, slope * h * h * dot(g, g)) : 1;
-            for (std::size_t a = 0; a < 2; ++a) p.dx_dt[a][i] = p.v[a][i] - limiter * strength * h * g[a];
+            for (std::size_t a = 0; a < 2; ++a) p.v_x[a][i] = p.v[a][i] - limiter * strength * h * g[a];
         }
     }
 };
@@ -145,7 +145,7 @@ struct ReferenceCure {
 
 /// The balanced background pressure: P_b on a narrow kernel, - P_b on a wide one.
 struct BalancedCure {
-    using Widths = TwoWidths<AnyKernel<2>, QuinticSpline<2>>;
+    using Widths = ConstantH<TwoWidths<AnyKernel<2>, QuinticSpline<2>>>;
     GentleViscosity damping;
     Widths widths;
     BackgroundForce background;
@@ -173,12 +173,12 @@ void ReferenceCure::start(auto& p) const {
 
 void ReferenceCure::resolved(auto& p, const auto&) const {
     for (std::size_t a = 0; a < 2; ++a) {
-        for (std::size_t i = 0; i < p.size(); ++i) p.u[a][i] = p.x[a][i] - (*X)[a][i];
+        for (std::size_t i = 0; i < p.size(); ++i) p.moved[a][i] = p.x[a][i] - (*X)[a][i];
     }
     sum_over_neighbours(p, *around, smoothing, Effects{DisplacementGradient{}});
     for (std::size_t i = 0; i < p.size(); ++i) {
         const auto row = load<2>(p, i, List<DisplacementGradient, InverseCorrection>{});
-        Tensor<2> F = product(row.G, row.K);
+        Tensor<2> F = product(row.H, row.K);
         F[0][0] += 1, F[1][1] += 1;
         const double J = F[0][0] * F[1][1] - F[0][1] * F[1][0];
         p.rho[i] = state.rho_0 / J;
@@ -186,7 +186,7 @@ void ReferenceCure::resolved(auto& p, const auto&) const {
         const Tensor<2> cofactor{Vector<2>{F[1][1], -F[1][0]}, Vector<2>{-F[0][1], F[0][0]}};
         const Tensor<2> S = product(p.p[i] * cofactor, row.K);
         for (std::size_t a = 0; a < 2; ++a)
-            for (std::size_t b = 0; b < 2; ++b) p.S[a][b][i] = S[a][b];
+            for (std::size_t b = 0; b < 2; ++b) p.PB[a][b][i] = -S[a][b];
     }
     sum_over_neighbours(p, *around, smoothing, Effects{Renamed<ReferenceForce, As<Acceleration, OtherForce>>{}});
 }

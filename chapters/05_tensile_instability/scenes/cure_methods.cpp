@@ -65,14 +65,14 @@ Built background(const CureMethod& method, const CureSetup& setup) {
     return liquid(setup, pairs(method, setup, PressureOnly{}),
                   tension(setup) * method.parameters.value("background"));
 }
-ArtificialStress artificial(const CureMethod& method, const CureSetup& setup) {
+ArtificialPressure artificial(const CureMethod& method, const CureSetup& setup) {
     return {method.parameters.value("epsilon"), W_spacing(setup.box)};
 }
 Built stress(const CureMethod& method, const CureSetup& setup) {
     return liquid(setup, pairs(method, setup, PressureOnly{}, artificial(method, setup)));
 }
 Built stress_xsph(const CureMethod& method, const CureSetup& setup) {
-    return liquid(setup, XsphCure<PressureOnly, ArtificialStress>{
+    return liquid(setup, XsphCure<PressureOnly, ArtificialPressure>{
                              pairs(method, setup, PressureOnly{}, artificial(method, setup)),
                              method.parameters.value("xsph")});
 }
@@ -117,8 +117,9 @@ Built balanced(const CureMethod& method, const CureSetup& setup) {
     const QuinticSpline<2> wide;
     const double wide_h = method.parameters.value("width") * narrow.support * box.h_over_dx / wide.support;
     BalancedCure cure{viscosity(method, setup),
-                      {box.h_over_dx, wide_h, lattice_stress(box.kernel, box.h_over_dx),
-                       lattice_stress("quintic", wide_h), narrow, wide},
+                      {box.h_over_dx,
+                       {narrow, wide, wide_h / box.h_over_dx, lattice_stress(box.kernel, box.h_over_dx),
+                        lattice_stress("quintic", wide_h)}},
                       {tension(setup) * method.parameters.value("background"), 1.0},
                       around(setup)};
     return liquid(setup, std::move(cure));
