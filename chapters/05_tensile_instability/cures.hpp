@@ -4,17 +4,18 @@
 #include "chapters/05_tensile_instability/elasticity.hpp"
 
 /// Cures of the tensile instability in a liquid: effects that stand beside PressureForce, or instead of it,
-/// and what moves particles with another velocity than theirs. XSPH, and what remembers where particles began,
-/// are in elasticity.hpp and total_lagrangian.hpp.
+/// and what moves particles with another velocity than theirs. XSPH, and what remembers where particles
+/// began, are in elasticity.hpp and total_lagrangian.hpp.
 namespace sph {
 
 /// dv_i/dt = - sum_j m_j (R_i + R_j) (W_ij/W(dx))^n grad_i W_ij, R = epsilon max(-P, 0)/rho^2   (Monaghan
 /// 2000): the artificial stress of a fluid, a repulsion of near pairs under tension.
 /// Antisymmetric: momentum is exact. Its sum over a lattice is a pressure that nobody asked for.
 struct ArtificialPressure {
-    double epsilon = 0.2;   ///< >= 0; 0.2 for n = 4 (Monaghan 2000), 0.3 for solids (Gray et al. 2001)
-    double W_spacing = 1;   ///< W at the spacing of the lattice, > 0   [1/L^d]
-    double below = 0;       ///< it acts where the pressure is below this, as far as it is
+    double epsilon = 0.2;  ///< >= 0; 0.2 for n = 4 (Monaghan 2000), 0.3 for solids (Gray et al. 2001)
+    double W_spacing = 1;  ///< W at the spacing of the lattice, > 0   [1/L^d]
+    double below = 0;      ///< it acts where the pressure is below this, as far as it is
+    // [artificial-pressure]
     using Reads = List<Density, Pressure>;
     using ReadsJ = List<Mass>;
     using Adds = List<Acceleration>;
@@ -24,6 +25,7 @@ struct ArtificialPressure {
         const Tile near = square(square(pair.W / W_spacing));
         sum.dv_dt -= (j.m * (R_i + R_j) * near * pair.F) * pair.x_ij;
     }
+    // [end]
 };
 
 /// dv_i/dt = 2 w sum_j m_j P_i/(rho_i rho_j) grad_i W_ij: beside PressureForce it takes the share w from
@@ -73,8 +75,8 @@ struct SlopeForce {
     void finish(const auto& i, const auto&, auto& out) const { out.dv_dt -= (1 / i.rho) * i.matrix; }
 };
 
-/// The potential of a background pressure, phi_i = 2 P_b/rho_0^2 sum_j m_j W_ij, by mass; half of its sum over
-/// particles is an energy.
+/// The potential of a background pressure, phi_i = 2 P_b/rho_0^2 sum_j m_j W_ij, by mass; half of its sum
+/// over particles is an energy.
 struct BackgroundPotential {
     static constexpr std::string_view name = "potential of the background pressure";
     template <class T, int>
@@ -150,7 +152,7 @@ struct TwoWidths {
     Wide wide{};
     double ratio = 2;  ///< smoothing length of the wide kernel over that of the narrow one, > 0
     double stress = 1, wide_stress = 1;  ///< - 1/2 sum_j x . grad W of each on the lattice: 1 in the limit
-    double support = std::max(narrow.support, ratio * wide.support);
+    double support = std::max(narrow.support, ratio* wide.support);
     // [two-widths]
     Tile W(const Tile& r, double h) const {
         return narrow.W(r, h) / stress - wide.W(r, ratio * h) / wide_stress;

@@ -29,8 +29,8 @@ Judged judge(const CureMethod& one, double time = 100) {
     UNSCOPED_INFO(one.name << ": growth " << lattice.growth() << ", sound " << lattice.sound_speed()
                            << ", momentum " << run.momentum_drift << ", distance " << run.smallest_distance
                            << ", order " << run.order);
-    return {lattice.growth() < 1e-3, std::abs(lattice.sound_speed() - 1) < 0.03, run.momentum_drift < 1e-15,
-            run.smallest_distance > 0.9 && run.order > 0.95};
+    return {lattice.growth() < 1e-3, std::abs(lattice.sound_speed() - 1) < 0.03,
+            run.momentum_drift<1e-15, run.smallest_distance> 0.9 && run.order > 0.95};
 }
 
 }  // namespace
@@ -87,7 +87,8 @@ TEST_CASE("a balanced background has no stress of its own, a plain one has") {
     CHECK(run_cure(scene, method("background", {{"alpha", 1}})).radius > rest + 0.08);          // 0.14
 }
 
-TEST_CASE("without viscosity the balanced background keeps energy, and the order of the error is the step's") {
+TEST_CASE(
+    "without viscosity the balanced background keeps energy, and the order of the error is the step's") {
     const auto drift = [](double courant) {
         CureScene scene;
         scene.n = 12, scene.time = 20, scene.courant = courant;

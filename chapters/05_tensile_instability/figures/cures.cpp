@@ -24,8 +24,10 @@ std::vector<std::uint64_t> cure_seeds(const report::Run& run) {
 
 Merits merits_of(const CureMethod& method, const CureScene& scene, const std::vector<std::uint64_t>& seeds) {
     const report::Quantities lattice = lattice_merits(method, scene.pressure);
-    Merits merits{report::value_of(lattice, "growth"), report::value_of(lattice, "sound_speed"),
-                  report::value_of(lattice, "shear_speed"), {}};
+    Merits merits{report::value_of(lattice, "growth"),
+                  report::value_of(lattice, "sound_speed"),
+                  report::value_of(lattice, "shear_speed"),
+                  {}};
     for (const std::uint64_t seed : seeds) {
         CureScene seeded = scene;
         seeded.seed = seed;
@@ -73,12 +75,12 @@ const std::map<std::string, Label> labels{{"none", {5.6, 0.755}},
                                           {"wendland", {7.1, 0.275}},
                                           {"stress", {3.6, 0.25}},
                                           {"stress-xsph", {4.13, 0.185}},
-                                          {"difference", {3.2, 0.165, plot::Anchor::right}},
+                                          {"difference", {3.45, 0.145}},
                                           {"shifting", {5.65, 0.12}},
                                           {"balanced", {0.1, 0.06, plot::Anchor::left, true}},
-                                          {"reference", {0.1, 0.36, plot::Anchor::left, true}},
-                                          {"background", {0.1, 0.44, plot::Anchor::left, true}},
-                                          {"corrected", {0.1, 0.52, plot::Anchor::left, true}}};
+                                          {"reference", {0.1, 0.12, plot::Anchor::left, true}},
+                                          {"background", {3.4, 0.03, plot::Anchor::left, true}},
+                                          {"corrected", {3.4, 0.08, plot::Anchor::left, true}}};
 
 plot::Style look_of(const Merits& merits) {
     const bool holds = merits.holds();
@@ -113,7 +115,8 @@ void draw_family(report::Run& run, plot::Panel& growth, plot::Panel& order, cons
         method.parameters.set("weight", w);
         const Merits merits = merits_of(method, scene, {1});
         run.record(fmt::format("difference-{:g}", w), scene.n, merits.measured());
-        error.push_back(100 * std::abs(merits.sound_speed - 1)), grows.push_back(std::max(0.0, merits.growth));
+        error.push_back(100 * std::abs(merits.sound_speed - 1)),
+            grows.push_back(std::max(0.0, merits.growth));
         drift.push_back(drift_shown(merits.run));
         distance.push_back(merits.run.smallest_distance);
     }
@@ -122,8 +125,8 @@ void draw_family(report::Run& run, plot::Panel& growth, plot::Panel& order, cons
 }
 
 /// The rows of the text's table: one of each kind.
-const std::vector<std::string> shown{"none",     "viscosity", "stress-xsph", "shifting",
-                                     "corrected", "linear-exact", "background", "balanced"};
+const std::vector<std::string> shown{"none",      "viscosity",    "stress-xsph", "shifting",
+                                     "corrected", "linear-exact", "background",  "balanced"};
 
 }  // namespace
 

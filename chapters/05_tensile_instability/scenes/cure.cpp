@@ -91,7 +91,8 @@ CureRun run_cure(const CureScene& scene, const CureMethod& method) {
     const auto liquid = cured(method, setup);
     const double side = setup.box.side(), count = static_cast<double>(setup.box.size());
     Columns<2>&x = liquid->get<Position>(), &v = liquid->get<Velocity>();
-    for (std::size_t i = 0; i < liquid->size(); ++i) v[0][i] = scene.shear * std::sin(2 * pi * x[1][i] / side);
+    for (std::size_t i = 0; i < liquid->size(); ++i)
+        v[0][i] = scene.shear * std::sin(2 * pi * x[1][i] / side);
     liquid->resolve(0);
     Drifts drifts{*liquid};
     CureRun run;
@@ -128,7 +129,7 @@ double CureRun::nanoseconds() const {
 
 report::Quantities CureRun::costs() const {
     return {{"nanoseconds_per_rate", nanoseconds(), "ns"},
-            {"nanoseconds_per_pair", 1e9 * seconds / pairs, "ns"},
+            {"nanoseconds_per_pair", 1e9 * seconds / pairs, "ns"},  // of the near neighbours
             {"pairs", pairs},
             {"cpu_seconds", seconds, "s"}};
 }
@@ -162,10 +163,8 @@ void CureCommand::run(report::Run& run) const {
     const CureRun cured = run_cure(scene, method);
     run.record(method.name, scene.n, cured.measured());
     run.record(method.name, scene.n, cured.costs());
-    run.write("profile.csv", report::csv({{"x", cured.x[0]},
-                                          {"y", cured.x[1]},
-                                          {"v_x", cured.v[0]},
-                                          {"v_y", cured.v[1]}}));
+    run.write("profile.csv",
+              report::csv({{"x", cured.x[0]}, {"y", cured.x[1]}, {"v_x", cured.v[0]}, {"v_y", cured.v[1]}}));
     plot::Figure figure{"cure"};
     plot::Panel& panel = figure.panel().labels("$x$ / dx", "$y$ / dx").titled(method.label);
     panel.equal_aspect = true;

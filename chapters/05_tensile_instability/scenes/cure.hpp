@@ -8,7 +8,7 @@ namespace sph::tensile {
 struct CureScene {
     std::size_t n = 20;  ///< particles along each side
     double pressure = -0.2, jitter = 0.1, time = 100, courant = 0.25;
-    double shear = 0;  ///< v_x = shear sin(2 pi y/side) at the start   [c]
+    double shear = 0;   ///< v_x = shear sin(2 pi y/side) at the start   [c]
     bool drop = false;  ///< in free space
     std::uint64_t seed = 1;
     int threads = 1;
@@ -17,15 +17,15 @@ struct CureScene {
 
 /// What a run leaves. Lengths in dx, speeds in c.
 struct CureRun {
-    Columns<2> x, v;             ///< at the end, inside the box
+    Columns<2> x, v;  ///< at the end, inside the box
     double smallest_distance = 0;
-    double order = 0;            ///< 1 on a square or hexagonal lattice, 0.5 without order
-    double momentum_drift = 0;   ///< largest |sum m v| of a component, a particle   [c]
-    double energy_drift = 0;     ///< largest change of the energy, a particle   [c^2]
-    double kept_shear = 0;       ///< of the amplitude at the start
-    double radius = 1;           ///< root mean square distance from the middle, over that at the start
+    double order = 0;           ///< 1 on a square or hexagonal lattice, 0.5 without order
+    double momentum_drift = 0;  ///< largest |sum m v| of a component, a particle   [c]
+    double energy_drift = 0;    ///< largest change of the energy, a particle   [c^2]
+    double kept_shear = 0;      ///< of the amplitude at the start
+    double radius = 1;          ///< root mean square distance from the middle, over that at the start
     double pairs = 0, seconds = 0;
-    long evaluations = 0;        ///< of the rates
+    long evaluations = 0;  ///< of the rates
 
     double nanoseconds() const;  ///< CPU time of an evaluation of the rates, a particle
     report::Quantities measured() const;

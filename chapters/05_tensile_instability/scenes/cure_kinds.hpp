@@ -1,11 +1,11 @@
 #pragma once
 #include <memory>
 
+#include "chapters/01_kernel_interpolation/splines.hpp"
 #include "chapters/04_artificial_viscosity/physical_viscosity.hpp"
 #include "chapters/05_tensile_instability/cures.hpp"
 #include "chapters/05_tensile_instability/scenes/lattice_box.hpp"
 #include "chapters/05_tensile_instability/total_lagrangian.hpp"
-#include "chapters/01_kernel_interpolation/splines.hpp"
 #include "common/core/renamed.hpp"
 
 /// The cures of the chapter as parts of a CuredLiquid (liquid.hpp). Units: dx = c = m = 1.
@@ -32,8 +32,11 @@ struct PairCure {
     using Columns = GentleViscosity::Columns;
     using Drift = Velocity;
     auto effects() const {
-        return std::apply([&](const Force&... one) { return Effects{one..., damping.effect()}; },
-                          forces.list);
+        return std::apply(
+            [&](const Force&... one) {
+                return Effects{one..., damping.effect()};
+            },
+            forces.list);
     }
     void resolved(auto& p, const auto&) const { damping.resolved(p); }
 };
@@ -157,7 +160,8 @@ struct BalancedCure {
     void resolved(auto& p, const auto&) const {
         damping.resolved(p);
         around->find(p.x, widths.reach());
-        sum_over_neighbours(p, *around, widths, Effects{Renamed<BackgroundForce, As<Acceleration, OtherForce>>{background}});
+        sum_over_neighbours(p, *around, widths,
+                            Effects{Renamed<BackgroundForce, As<Acceleration, OtherForce>>{background}});
     }
     double energy(const auto& p, std::size_t i) const { return 0.5 * p.phi[i]; }
     // [end]
@@ -188,7 +192,8 @@ void ReferenceCure::resolved(auto& p, const auto&) const {
         for (std::size_t a = 0; a < 2; ++a)
             for (std::size_t b = 0; b < 2; ++b) p.PB[a][b][i] = -S[a][b];
     }
-    sum_over_neighbours(p, *around, smoothing, Effects{Renamed<ReferenceForce, As<Acceleration, OtherForce>>{}});
+    sum_over_neighbours(p, *around, smoothing,
+                        Effects{Renamed<ReferenceForce, As<Acceleration, OtherForce>>{}});
 }
 
 }  // namespace sph::tensile

@@ -77,20 +77,20 @@ Built stress_xsph(const CureMethod& method, const CureSetup& setup) {
                              method.parameters.value("xsph")});
 }
 Built xsph(const CureMethod& method, const CureSetup& setup) {
-    return liquid(setup, XsphCure<PressureOnly>{pairs(method, setup, PressureOnly{}),
-                                                method.parameters.value("xsph")});
+    return liquid(
+        setup, XsphCure<PressureOnly>{pairs(method, setup, PressureOnly{}), method.parameters.value("xsph")});
 }
 Shift shift(const CureMethod& method, const CureSetup& setup, double R, double slope) {
     return {method.parameters.value("shift"), R, W_spacing(setup.box), slope, setup.box.h_over_dx};
 }
 Built shifting(const CureMethod& method, const CureSetup& setup) {
-    return liquid(setup, ShiftCure<PressureOnly>{pairs(method, setup, PressureOnly{}),
-                                                 shift(method, setup, 0.2, 0)});
+    return liquid(
+        setup, ShiftCure<PressureOnly>{pairs(method, setup, PressureOnly{}), shift(method, setup, 0.2, 0)});
 }
 Built transport(const CureMethod& method, const CureSetup& setup) {
-    return liquid(setup, ShiftCure<PressureOnly, TransportStress>{
-                             pairs(method, setup, PressureOnly{}, TransportStress{}),
-                             shift(method, setup, 0, 0)});
+    return liquid(setup,
+                  ShiftCure<PressureOnly, TransportStress>{
+                      pairs(method, setup, PressureOnly{}, TransportStress{}), shift(method, setup, 0, 0)});
 }
 Built limited(const CureMethod& method, const CureSetup& setup) {
     return liquid(setup, ShiftCure<PressureOnly, TransportStress>{
@@ -98,8 +98,8 @@ Built limited(const CureMethod& method, const CureSetup& setup) {
                              shift(method, setup, 0, method.parameters.value("slope"))});
 }
 Built share(const CureMethod& method, const CureSetup& setup) {
-    return liquid(setup, pairs(method, setup, PressureOnly{},
-                               ShareOfDifference{method.parameters.value("weight")}));
+    return liquid(setup,
+                  pairs(method, setup, PressureOnly{}, ShareOfDifference{method.parameters.value("weight")}));
 }
 Built slope(const CureMethod& method, const CureSetup& setup) {
     return liquid(setup, SlopeCure{viscosity(method, setup)});
@@ -108,8 +108,7 @@ Built linear_exact(const CureMethod& method, const CureSetup& setup) {
     return liquid(setup, LinearExactCure{viscosity(method, setup)});
 }
 Built reference(const CureMethod&, const CureSetup& setup) {
-    return liquid(setup,
-                  ReferenceCure{setup.box.resolution().smoothing(), setup.box.state(), around(setup)});
+    return liquid(setup, ReferenceCure{setup.box.resolution().smoothing(), setup.box.state(), around(setup)});
 }
 Built balanced(const CureMethod& method, const CureSetup& setup) {
     const LatticeBox& box = setup.box;

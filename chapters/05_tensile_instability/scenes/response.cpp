@@ -79,7 +79,7 @@ double Response::speed(int axis) const {
     const auto a = static_cast<std::size_t>(axis);
     Dense one{2};  // sound and shear along an axis of the lattice do not mix
     one(0, 0) = wave[a][a], one(0, 1) = wave[a][2 + a], one(1, 0) = wave[2 + a][a],
-    one(1, 1) = wave[2 + a][2 + a];
+           one(1, 1) = wave[2 + a][2 + a];
     double omega = 0;
     for (const std::complex<double>& value : eigenvalues(std::move(one)))
         omega = std::max(omega, value.imag());
