@@ -52,6 +52,22 @@ double most_unlike(report::Run& run) {
     return most;
 }
 
+/// What a wide kernel leaves that is not wide enough: the largest growth below the method's own width, and
+/// from it on.
+std::array<double, 2> growth_by_width(report::Run& run) {
+    std::array<double, 2> most{};
+    const double chosen = cure_methods()["balanced"].parameters.value("width");
+    for (const double width : {1.25, 1.5, 1.75, chosen, 2.0, 2.25, 2.5}) {
+        CureMethod method = with_background(1.5);
+        method.parameters.set("width", width);
+        const double growth = Response{method, -0.2}.growth();
+        run.record(fmt::format("width-{:g}", width), Response::per_side, {{"growth", growth, "c/dx"}});
+        double& side = most[width < chosen ? 0 : 1];
+        side = std::max(side, growth);
+    }
+    return most;
+}
+
 /// The free drop: how its radius ends, by whatever holds its particles in order. Much viscosity, so that it
 /// comes to rest.
 double drop_radius(const CureScene& of, CureMethod method) {
@@ -110,6 +126,9 @@ void balanced_strength(report::Run& run) {
     run.record("balanced-frictionless", scene.n, warm.measured());
     run.fill("frictionless-distance", report::fixed(warm.smallest_distance, 1));
     run.claim("frictionless-holds", [&] { return warm.smallest_distance > 0.5 && warm.energy_drift < 1e-6; });
+    const std::array<double, 2> by_width = growth_by_width(run);
+    run.fill("narrow-growth", report::fixed(by_width[0], 2));
+    run.claim("wide-enough", [&] { return by_width[0] > 0.02 && by_width[1] < 1e-3; });
     const double unlike = most_unlike(run);
     run.fill("kernels-unlike", report::fixed(unlike, 3));
     run.claim("balanced-is-pressed", [&] { return unlike < 0.02; });

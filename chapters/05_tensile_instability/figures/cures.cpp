@@ -120,6 +120,12 @@ void draw_family(report::Run& run, plot::Panel& growth, plot::Panel& order, cons
         drift.push_back(drift_shown(merits.run));
         distance.push_back(merits.run.smallest_distance);
     }
+    run.claim("share-loses-both", [&] {
+        for (const std::size_t part : {1U, 2U, 3U}) {
+            if (distance[part] > 0.5 || drift[part] < 10 * drift[4]) return false;
+        }
+        return distance[4] > 0.5 && drift[4] > 1e-6;
+    });
     growth.curve(error, grows, plot::rest("share of $P$_{j} - $P$_{i}, 0 to 1"));
     order.curve(drift, distance, plot::rest(""));
 }
