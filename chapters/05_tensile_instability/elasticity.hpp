@@ -60,19 +60,19 @@ auto times(const Vec<Vec<T, d>, d>& tensor, const Vec<U, d>& x) {
 }
 
 // [gradient]
-/// L_i^ab = d v^a/dx^b = sum_j m_j/rho_j (v_j - v_i)^a d W_ij/dx_i^b   (2.14 of each component). Exact for a
-/// common velocity; for a rotation only where neighbours lie evenly all around.
+/// (grad v)^ab = d v^a/dx^b = sum_j m_j/rho_j (v_j - v_i)^a d W_ij/dx_i^b   (2.14 of each component). Exact
+/// for a common velocity; for a rotation only where neighbours lie evenly all around.
 struct DeformationRate {
     static constexpr std::string_view name = "rate of deformation";
     template <class T, int d>
     struct In {
-        Vec<Vec<T, d>, d> L{};
+        Vec<Vec<T, d>, d> grad_v{};
     };
     using Reads = List<Velocity>;
     using ReadsJ = List<Volume>;
     using Adds = List<DeformationRate>;
     void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
-        sum.L -= outer((j.V * pair.F) * (i.v - j.v), pair.x_ij);
+        sum.grad_v -= outer((j.V * pair.F) * (i.v - j.v), pair.x_ij);
     }
 };
 // [end]
@@ -80,23 +80,23 @@ struct DeformationRate {
 /// The velocity gradient as it is summed.
 struct SummedRate {
     using Uses = List<DeformationRate>;
-    static auto gradient(const auto& sum) { return sum.L; }
+    static auto gradient(const auto& sum) { return sum.grad_v; }
 };
 /// The same divided by what the sum makes of x (Bonet & Lok 1999; chapter 2): exact for every linear
 /// velocity, so for every rotation.
 struct CorrectedRate {
     using Uses = List<DeformationRate, CorrectionMatrix>;
     static auto gradient(const auto& sum) {
-        auto L = sum.L;
-        for (auto& row : L) row = GuardedSolve{}(sum.B, row, 1.0);
-        return L;
+        auto grad_v = sum.grad_v;
+        for (auto& row : grad_v) row = GuardedSolve{}(sum.B, row, 1.0);
+        return grad_v;
     }
 };
 
 // [jaumann]
-/// dS/dt = 2 mu (D - delta tr D/3) + S R^T + R S   (11.3-11.5): Hooke's law for what deforms, and a stress
-/// that turns with the matter. D and R are the symmetric and the antisymmetric part of L. And
-/// d rho/dt = - rho tr D. shear = mu > 0 [pressure].
+/// dS/dt = 2 mu (D - delta tr D/3) + S Theta^T + Theta S   (11.3-11.5, where Theta is R): Hooke's law for
+/// what deforms, and a stress that turns with the matter. D and Theta are the symmetric and the antisymmetric
+/// part of grad v. And d rho/dt = - rho tr D. shear = mu > 0 [pressure].
 template <class Rate>
 struct JaumannRate {
     double shear;
@@ -104,17 +104,15 @@ struct JaumannRate {
     using ReadsI = List<Density, DeviatoricStress>;
     using Writes = List<StressRate, DensityRate>;
     void finish(const auto& i, const auto& sum, auto& out) const {
-        const auto L = Rate::gradient(sum);
-        const std::size_t d = L.size();
+        const auto g = Rate::gradient(sum);
         double divergence = 0;
-        for (std::size_t a = 0; a < d; ++a) divergence += L[a][a];
-        for (std::size_t a = 0; a < d; ++a) {
-            for (std::size_t b = 0; b < d; ++b) {
-                double& rate = out.dS_dt[a][b] = shear * (L[a][b] + L[b][a]);
+        for (std::size_t a = 0; a < g.size(); ++a) divergence += g[a][a];
+        for (std::size_t a = 0; a < g.size(); ++a) {
+            for (std::size_t b = 0; b < g.size(); ++b) {
+                double& rate = out.dS_dt[a][b] = shear * (g[a][b] + g[b][a]);
                 if (a == b) rate -= 2 * shear * divergence / 3;
-                for (std::size_t c = 0; c < d; ++c) {
-                    rate += 0.5 * (i.S[a][c] * (L[b][c] - L[c][b]) + (L[a][c] - L[c][a]) * i.S[c][b]);
-                }
+                for (std::size_t c = 0; c < g.size(); ++c)
+                    rate += 0.5 * (i.S[a][c] * (g[b][c] - g[c][b]) + (g[a][c] - g[c][a]) * i.S[c][b]);
             }
         }
         out.drho_dt = -i.rho * divergence;
