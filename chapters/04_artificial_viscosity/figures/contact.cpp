@@ -25,7 +25,7 @@ std::vector<double> spikes(report::Run& run, plot::Panel& panel) {
         panel.curve(
             x, p,
             {.label = "$N$ = " + std::to_string(n),
-             .colour = plot::cycle(k),
+             .colour = plot::cycle(std::array{4, 5, 9}[k]),  // no method's of the other panels
              .marker = std::array{plot::Marker::circle, plot::Marker::square, plot::Marker::diamond}[k],
              .marker_size = 4});
         wiggles.push_back(tube.wiggle);
