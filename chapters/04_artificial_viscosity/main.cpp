@@ -10,6 +10,7 @@ void mach(report::Run& run);
 void blast(report::Run& run);
 void viscous_pressures(report::Run& run);
 void kernels(report::Run& run);
+void one_at_a_time(report::Run& run);
 void wave(report::Run& run);
 void cold_streams(report::Run& run);
 void noh(report::Run& run);
@@ -45,6 +46,8 @@ int main(int argc, char** argv) {
         .figure("viscous-pressures", "the viscous pressures of 1950 and 1983, and the viscosity of pairs",
                 viscous_pressures)
         .figure("kernels", "the viscosity of 1983 with the Gaussian and the super-Gaussian kernel", kernels)
+        .figure("one-at-a-time", "viscosity, kernel and conduction, each with and without the others",
+                one_at_a_time)
         .figure("wave", "a standing sound wave: what dissipation costs where there is no shock", wave)
         .figure("noh", "Noh's problem on a line: the wall that heats", noh)
         .figure("review-tube", "figures 15 and 16 of the review, in their own set-up", review_tube)

@@ -25,7 +25,12 @@ inline Tile common_slope(const Tile& a, const Tile& b) {
 /// (gamma near 1) falls onto itself in a profile that is linear, and nothing resists.
 struct ReconstructedViscosity {
     SignalViscosity signal;
+    double slopes = 1;  ///< the part of r s that is taken out; 0 leaves the signal viscosity
     static auto parts(auto& self) { return std::tie(self.signal); }
+    static constexpr auto knobs() {
+        return std::tuple{
+            Knob{"slopes", &ReconstructedViscosity::slopes, {0, 1}, "part of the common slope taken out"}};
+    }
     using Reads = Union<SignalViscosity::Reads, List<VelocityGradient>>;
     // [reconstructed]
     Tile pressure(const auto& i, const auto& j, const auto& pair) const {
@@ -33,7 +38,7 @@ struct ReconstructedViscosity {
         const Tile g_i = along(i.dv_dx, pair.x_ij) / r2, g_j = along(j.dv_dx, pair.x_ij) / r2;
         const Tile w = closing_speed(i.v_mid - j.v_mid, pair), c = 0.5 * (i.c_s + j.c_s);
         const Tile slope = common_slope(g_i, g_j) * (c * c / (c * c + w * w));
-        return signal.of(w - pair.r * slope, i, j);
+        return signal.of(w - slopes * pair.r * slope, i, j);
     }
     // [end]
 

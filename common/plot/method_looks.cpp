@@ -29,7 +29,7 @@ constexpr std::array looks{
     Look{"without-omega", Hue::violet, Marker::diamond}, Look{"consistent-h", Hue::blue, Marker::circle},
     Look{"super-gaussian", Hue::green, Marker::circle},
     // chapter 4: dissipation
-    Look{"none", Hue::brown, Marker::plus}, Look{"none-narrow", Hue::brown, Marker::cross},
+    Look{"none", Hue::brown, Marker::plus}, Look{"none-narrow", Hue::sky, Marker::square},
     Look{"none-cubic", Hue::brown, Marker::triangle_down},
     Look{"von-neumann", Hue::gold, Marker::triangle_down}, Look{"bulk", Hue::gold, Marker::square},
     Look{"monaghan-gingold", Hue::pink, Marker::circle}, Look{"mg-gaussian", Hue::brown, Marker::circle},
@@ -40,7 +40,7 @@ constexpr std::array looks{
     Look{"morris-monaghan", Hue::indigo, Marker::diamond}, Look{"price", Hue::pink, Marker::triangle_down},
     Look{"narrow", Hue::violet, Marker::triangle_up}, Look{"reconstructed", Hue::blue, Marker::circle},
     Look{"reconstructed-cubic", Hue::green, Marker::diamond}, Look{"balsara", Hue::gold, Marker::diamond},
-    Look{"colagrossi", Hue::pink, Marker::square}, Look{"pairwise", Hue::blue, Marker::circle},
+    Look{"colagrossi", Hue::pink, Marker::square}, Look{"pairwise", Hue::violet, Marker::circle},
     Look{"stress", Hue::orange, Marker::triangle_up}, Look{"layered", Hue::indigo, Marker::square},
     Look{"layered-arithmetic", Hue::sky, Marker::diamond},
     // chapter 8: relativistic gas, and the slab

@@ -28,6 +28,10 @@ void blast(report::Run& run) {
         const double beyond = fastest(run_of(runs, "reconstructed")) - 1;
         return beyond > 0.02 && beyond < 0.08;
     });
+    run.claim("answer-blast", [&] {
+        return run_of(runs, "reconstructed").l1_rho > run_of(runs, "alpha-beta").l1_rho &&
+               run_of(runs, "price").l1_rho > run_of(runs, "alpha-beta").l1_rho;
+    });
     run.claim("blast-narrow", [&] {
         return std::all_of(runs.begin(), runs.end(), [&](const auto& one) {
             return one.second.l1_rho >= run_of(runs, "narrow").l1_rho;

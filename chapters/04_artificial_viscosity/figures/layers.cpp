@@ -69,7 +69,7 @@ void layers(report::Run& run) {
     LayersScene scene;
     scene.threads = run.threads();
     if (run.quick()) scene.fadings = 2;
-    const auto sizes = run.sizes({16, 20}, {16, 24, 32});
+    const auto sizes = run.sizes({16, 20}, {16, 20, 24});
     const Flows flows = run_all(run, scene, sizes);
     scene.n = sizes.back();
     draw(run, scene, flows, sizes);
@@ -80,8 +80,8 @@ void layers(report::Run& run) {
         }
         const double of_h = missing(scene, arithmetic.back());
         if (of_h < 0.27 || of_h > 0.4) return false;  // measured: 0.32
-        return harmonic.back().l1_v < 0.6 * harmonic.front().l1_v &&
-               arithmetic.back().l1_v < 0.6 * arithmetic.front().l1_v;
+        return harmonic.back().l1_v < 0.75 * harmonic.front().l1_v &&
+               arithmetic.back().l1_v < 0.75 * arithmetic.front().l1_v;
     });
     scene.walls = Walls::rigid;
     const double rigid = run_layers(scene, layered_methods().recommended()).l1_v;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/04_artificial_viscosity/scenes/tube.hpp"
 #include "common/plot/looks.hpp"
 
 /// Sod's tube by chapter 3's equations alone, and with a viscosity: velocity, and what only a shock may
@@ -11,7 +10,23 @@
 namespace sph::shocks {
 namespace {
 
-/// What a method has made of the gas between contact and shock, five hundredths away from both.
+/// Velocity and entropy of one method.
+void draw(report::Run& run, const std::string& name, const TubeScene& scene, const TubeRun& tube,
+          const Method<1>& method) {
+    plot::Figure figure{name, 1, 2};
+    const Profile exact = exact_profile(scene);
+    plot::Panel& v = figure.at(0, 0).labels("$x$", "$v$").y_range(-0.3, 1.8);
+    plot::Panel& s = figure.at(0, 1).labels("$x$", "$P$ / ρ^{γ}").x_range(0.15, 0.45).y_range(1.75, 2.15);
+    v.points(tube.profile.x, tube.profile.v, plot::dots(method.styled(), 3));
+    v.curve(exact.x, exact.v, plot::exact());
+    s.points(tube.profile.x, entropy_of(tube.profile, scene.gamma), plot::dots(method.styled(), 3));
+    s.curve(exact.x, entropy_of(exact, scene.gamma), plot::exact());
+    s.legend.shown = false;
+    run.save(figure);
+}
+
+}  // namespace
+
 Entropies between_contact_and_shock(const TubeRun& tube, const TubeScene& scene) {
     const ExactTube exact = gas_tube(scene).exact;
     const double begin = exact.contact + 0.05, end = exact.jumps.front() - 0.05;
@@ -30,23 +45,6 @@ Entropies between_contact_and_shock(const TubeRun& tube, const TubeScene& scene)
     found.gain /= count;
     return found;
 }
-
-/// Velocity and entropy of one method.
-void draw(report::Run& run, const std::string& name, const TubeScene& scene, const TubeRun& tube,
-          const Method<1>& method) {
-    plot::Figure figure{name, 1, 2};
-    const Profile exact = exact_profile(scene);
-    plot::Panel& v = figure.at(0, 0).labels("$x$", "$v$").y_range(-0.3, 1.8);
-    plot::Panel& s = figure.at(0, 1).labels("$x$", "$P$ / ρ^{γ}").x_range(0.15, 0.45).y_range(1.75, 2.15);
-    v.points(tube.profile.x, tube.profile.v, plot::dots(method.styled(), 3));
-    v.curve(exact.x, exact.v, plot::exact());
-    s.points(tube.profile.x, entropy_of(tube.profile, scene.gamma), plot::dots(method.styled(), 3));
-    s.curve(exact.x, entropy_of(exact, scene.gamma), plot::exact());
-    s.legend.shown = false;
-    run.save(figure);
-}
-
-}  // namespace
 
 Entropies follow_entropy(report::Run& run, const std::string& method_name, const std::string& figure) {
     TubeScene scene;

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "common/report/chapter.hpp"
+#include "chapters/04_artificial_viscosity/scenes/tube.hpp"
 
 /// Sod's tube by one method: velocity, and what only a shock may change.
 namespace sph::shocks {
@@ -13,6 +13,8 @@ struct Entropies {
     double largest_gain = 0;  ///< of any particle; 0 at least
     double due = 0;           ///< what the exact solution gains
 };
+/// Of a run of Sod's tube, five hundredths away from contact and shock.
+Entropies between_contact_and_shock(const TubeRun& tube, const TubeScene& scene);
 /// Draws the figure, and hands over rows and the numbers of the text.
 Entropies follow_entropy(report::Run& run, const std::string& method, const std::string& figure);
 

@@ -1,21 +1,7 @@
-#include "chapters/04_artificial_viscosity/scenes/tube.hpp"
+#include "chapters/04_artificial_viscosity/figures/sod_entropy.hpp"
 #include "common/plot/looks.hpp"
 
 namespace sph::shocks {
-namespace {
-
-/// The largest relative error of v between the contact and the shock, half a shock's width away from both.
-double velocity_noise(const TubeRun& tube) {
-    double worst = 0;
-    for (std::size_t i = 0; i < tube.profile.x.size(); ++i) {
-        const double x = tube.profile.x[i];
-        if (x > 0.2 && x < 0.32) worst = std::max(worst, std::abs(tube.profile.v[i] / tube.exact.v[i] - 1));
-    }
-    return worst;
-}
-
-}  // namespace
-
 void viscous_pressures(report::Run& run) {
     TubeScene scene;
     scene.n = run.quick() ? 90 : 360;
@@ -41,7 +27,7 @@ void viscous_pressures(report::Run& run) {
         draw(1, "$P$", 0.05, 0.4, &Profile::p);
         draw(2, "ρ", 0.1, 0.5, &Profile::rho);
         figure.at(0, column++).titled(method.label);
-        const double noise = velocity_noise(tube);
+        const double noise = between_contact_and_shock(tube, scene).noise;
         run.record(method.name, scene.n, {{"velocity_noise", noise}});
         run.fill("noise-" + method.name, report::number(100 * noise, 1));
         noises.push_back(noise);
