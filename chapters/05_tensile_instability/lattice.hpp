@@ -17,8 +17,8 @@ struct LatticeKernel {
         Vector<d> x{}, gradient{};
         Tensor<d> hessian{};
     };
-    std::vector<Neighbour> neighbours;  ///< inside the support, without the particle itself
-    double density = 0;                 ///< sum_j W, the particle itself included: that of unit masses
+    std::vector<Neighbour> half;  ///< inside the support: of each pair at r and -r one
+    double density = 0;           ///< sum_j W, the particle itself included: that of unit masses
 };
 
 namespace lattice_detail {
@@ -51,7 +51,7 @@ LatticeKernel<K::dimension> lattice_kernel(double h) {
         const double r = std::sqrt(dot(x, x));
         if (r >= K::support * h) continue;
         lattice.density += K::W(r, h);
-        if (r > 0) lattice.neighbours.push_back(lattice_detail::neighbour<K>(x, h));
+        if (index > n / 2) lattice.half.push_back(lattice_detail::neighbour<K>(x, h));
     }
     return lattice;
 }
