@@ -61,21 +61,18 @@ HeldBoxRun run_held_box(const HeldBox& scene) {
     liquid.start(0);
     liquid.limit_steps([dt = scene.courant] { return dt; });
     HeldBoxRun run;
-    run.before = range(at, 0, free);
     run.fixed = range(at, free, n);
     double t = 0;
     march(liquid, t, {.end = scene.time}, [&](double now) {
         const Column moved = distances(liquid.particles.x, at, free);
         run.t.push_back(now);
         run.farthest.push_back(*std::max_element(moved.begin(), moved.end()));
-        if (run.farthest.back() < clumped || run.clumped_at > 0) return true;
-        run.clumped_at = now;
-        run.clumped = range(liquid.particles.x, 0, free);
-        run.moved_when_clumped = moved;
-        return true;
+        if (run.clumped_at == 0 && run.farthest.back() > clumped) run.clumped_at = now;
+        if (now < scene.shown || !run.moved.empty()) return;
+        run.shown = range(liquid.particles.x, 0, free);
+        run.moved = moved;
+        run.nearest = smallest_distance(run.shown);
     });
-    run.end = range(liquid.particles.x, 0, free);
-    run.nearest = smallest_distance(run.end);
     return run;
 }
 

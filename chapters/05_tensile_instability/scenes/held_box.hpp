@@ -11,7 +11,8 @@ struct HeldBox {
     double h_over_dx = 1.2;
     double pressure = -0.2;  ///< [c^2 m/dx^2]
     double push = 1e-3;      ///< velocity of the particle in the middle at the start [c]
-    double time = 60;        ///< [dx/c]
+    double shown = 20;       ///< the state at this time is kept [dx/c]: sound has crossed the free inside
+    double time = 40;        ///< [dx/c]
     double courant = 0.2;
     int threads = 1;
 
@@ -19,14 +20,13 @@ struct HeldBox {
 };
 
 struct HeldBoxRun {
-    Columns<2> before, clumped, end;  ///< the free particles: at the start, when the run has clumped, at last
-    Columns<2> fixed;
-    Column moved_when_clumped;  ///< the free ones' distance from their places then [dx]
-    Column t, farthest;         ///< the largest such distance over time
-    double clumped_at = 0;      ///< when a particle was half a spacing from its place first; 0: never
-    double nearest = 0;         ///< at last: the smallest distance between two free particles [dx]
+    Columns<2> shown, fixed;  ///< the free particles at the time `shown`, and those that are held
+    Column moved;             ///< the free ones' distance from their places then [dx]
+    double nearest = 0;       ///< then: the smallest distance between two free particles [dx]
+    Column t, farthest;       ///< the largest distance from its place that a particle has, over time [dx]
+    double clumped_at = 0;    ///< when a particle was half a spacing from its place first; 0: never
 };
-/// Stops when it has clumped, or at the end.
+/// Throws Unstable.
 HeldBoxRun run_held_box(const HeldBox& scene);
 
 }  // namespace sph::tensile
