@@ -128,3 +128,15 @@ TEST_CASE("the maximum does not hang on the grid, and a stress along y is one al
     CHECK(std::abs(std::abs(coarse.k[0]) - std::abs(turned.k[1])) < 1e-4);
     CHECK(growth_on_grid<2>(lattice, along_x, 40) <= coarse.rate);
 }
+
+// Chapter 3's discs: with the cubic spline particles pair at h = 1.3 dx and not at 1.1. The square lattice,
+// which is unstable at 1.1 too, would not tell.
+TEST_CASE("the hexagonal lattice pairs where the discs of chapter 3 do") {
+    const auto rate = [](double h) {
+        return fastest_wave<2>(named_lattice<2>("cubic", h, hexagonal_lattice()), isotropic<2>(0.2)).rate;
+    };
+    CHECK(rate(1.1) == 0);
+    CHECK(rate(1.3) > 0.19);  // 0.1988
+    CHECK(fastest_wave<2>(named_lattice<2>("cubic", 1.1), isotropic<2>(0.2)).rate > 0.29);
+    CHECK(std::abs(named_lattice<2>("wendland-c6", 3, hexagonal_lattice()).density - 1) < 1e-5);  // 5e-6
+}

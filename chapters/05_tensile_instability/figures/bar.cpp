@@ -43,7 +43,7 @@ void bar(report::Run& run) {
         plot::Values exact = runs.back().exact;
         for (double& value : exact) value *= 1e3;
         panel.curve(runs.back().t, exact, plot::exact());
-        panel.y_range(-3, 3);
+        panel.y_range(-1, 3);
     }
     run.save(figure);
     const BarRun &pulled = runs[0], &corrected = runs[1], &pressed = runs[2];

@@ -40,7 +40,7 @@ void modes(report::Run& run) {
                 one.kernel, one.kernel + ", $h$ = " + report::fixed(one.h_over_dx, 1) + " d$x$");
             draw_prediction(panel, one, P, look);
             plot::Values k, measured;
-            std::vector<std::array<int, 2>> waves{{4, 0}, {5, 0}, {6, 0}, {8, 0}, {10, 0}};
+            std::vector<std::array<int, 2>> waves{{5, 0}, {6, 0}, {7, 0}, {8, 0}, {10, 0}};
             waves.insert(waves.end(), off_axis.begin(), off_axis.end());
             if (run.quick()) waves = {{5, 0}, {10, 0}, {8, 3}};
             for (const auto& wave : waves) {
@@ -51,8 +51,8 @@ void modes(report::Run& run) {
                 worst = std::max(worst, mode.rate_error());
                 growing += mode.measured < 0 ? 1 : 0;
                 ++all;
-                run.record(one.kernel + " P = " + report::number(P, 1) + " waves " +
-                               std::to_string(wave[0]) + " " + std::to_string(wave[1]),
+                run.record(one.kernel + " P = " + report::number(P, 1) + " waves " + std::to_string(wave[0]) +
+                               " " + std::to_string(wave[1]),
                            box.per_side,
                            {{"omega2", mode.measured, "c^2/dx^2"},
                             {"predicted_omega2", mode.predicted, "c^2/dx^2"}});

@@ -17,9 +17,6 @@ GrowingWave<d> climb(GrowingWave<d> best, double step, Rate&& rate) {
             Vector<d> k = from.k;
             k[0] += step * (direction % 3 - 1);
             if constexpr (d == 2) k[1] += step * (direction / 3 - 1);
-            bool inside = true;
-            for (const double component : k) inside = inside && std::abs(component) <= pi;
-            if (!inside) continue;
             const double here = rate(k);
             if (here > best.rate) best = {here, k};
         }
@@ -28,17 +25,20 @@ GrowingWave<d> climb(GrowingWave<d> best, double step, Rate&& rate) {
     return best;
 }
 
-/// The grid's points: of the half zone, since k and -k are one wave; of an eighth where both axes are alike.
+/// The grid's points, in units of the reciprocal vectors: of the half zone, since k and -k are one wave; of
+/// an eighth where both axes are alike.
 template <int d>
-std::vector<Vector<d>> zone(int grid, bool isotropic_stress) {
+std::vector<Vector<d>> zone(const LatticeKernel<d>& lattice, int grid, bool isotropic_stress) {
+    const bool eighth = isotropic_stress && lattice.basis == square_lattice<d>();
+    const Tensor<d> b = reciprocal<d>(lattice.basis);
     std::vector<Vector<d>> points;
     const double step = pi / grid;
-    for (int a = 0; a <= grid; ++a) {
+    for (int m = 0; m <= grid; ++m) {
         if constexpr (d == 1) {
-            points.push_back({a * step});
+            points.push_back((m * step) * b[0]);
         } else {
-            for (int b = isotropic_stress ? 0 : -grid; b <= (isotropic_stress ? a : grid); ++b)
-                points.push_back({a * step, b * step});
+            for (int n = eighth ? 0 : -grid; n <= (eighth ? m : grid); ++n)
+                points.push_back((m * step) * b[0] + (n * step) * b[1]);
         }
     }
     return points;
@@ -52,21 +52,22 @@ bool is_isotropic(const Tensor<d>& pressure) {
 }  // namespace
 
 template <int d>
-LatticeKernel<d> named_lattice(const std::string& kernel, double h_over_dx) {
+LatticeKernel<d> named_lattice(const std::string& kernel, double h_over_dx, const Tensor<d>& basis) {
     LatticeKernel<d> lattice;
-    const bool found = with_kernel<d>(
-        kernel, [&](const auto& one) { lattice = lattice_kernel<std::decay_t<decltype(one)>>(h_over_dx); });
+    const bool found = with_kernel<d>(kernel, [&](const auto& one) {
+        lattice = lattice_kernel<std::decay_t<decltype(one)>>(h_over_dx, basis);
+    });
     if (!found) throw std::invalid_argument{"no such kernel: " + kernel};
     if (lattice.half.empty()) throw std::invalid_argument{"a lattice without neighbours"};
     return lattice;
 }
-template LatticeKernel<1> named_lattice(const std::string&, double);
-template LatticeKernel<2> named_lattice(const std::string&, double);
+template LatticeKernel<1> named_lattice(const std::string&, double, const Tensor<1>&);
+template LatticeKernel<2> named_lattice(const std::string&, double, const Tensor<2>&);
 
 template <int d>
 double growth_on_grid(const LatticeKernel<d>& lattice, const Tensor<d>& pressure, int grid) {
     double fastest = 0;
-    for (const auto& k : zone<d>(grid, is_isotropic<d>(pressure)))
+    for (const auto& k : zone<d>(lattice, grid, is_isotropic<d>(pressure)))
         fastest = std::max(fastest, growth(lattice, pressure, k));
     return fastest;
 }
@@ -78,7 +79,7 @@ GrowingWave<d> fastest_wave(const LatticeKernel<d>& lattice, const Tensor<d>& pr
     constexpr std::size_t climbed = 6;  // the highest point need not lie beside the grid's highest
     const auto rate = [&](const Vector<d>& k) { return growth(lattice, pressure, k); };
     std::vector<GrowingWave<d>> waves;
-    for (const auto& k : zone<d>(grid, is_isotropic<d>(pressure))) waves.push_back({rate(k), k});
+    for (const auto& k : zone<d>(lattice, grid, is_isotropic<d>(pressure))) waves.push_back({rate(k), k});
     const auto begin = waves.begin(), end = begin + std::ptrdiff_t(std::min(climbed, waves.size()));
     std::partial_sort(begin, end, waves.end(), [](const auto& a, const auto& b) { return a.rate > b.rate; });
     GrowingWave<d> best;

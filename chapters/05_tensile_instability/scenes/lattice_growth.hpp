@@ -9,12 +9,13 @@
 /// Which wave of a stressed lattice grows fastest.
 namespace sph::tensile {
 
-/// The kernel of that name on the square lattice, h in spacings. Throws std::invalid_argument for a name that
+/// The kernel of that name on a lattice, h in dx. Throws std::invalid_argument for a name that
 /// is none of kernel_names(), or an h whose support ends before the nearest neighbour.
 template <int d>
-LatticeKernel<d> named_lattice(const std::string& kernel, double h_over_dx);
-extern template LatticeKernel<1> named_lattice(const std::string&, double);
-extern template LatticeKernel<2> named_lattice(const std::string&, double);
+LatticeKernel<d> named_lattice(const std::string& kernel, double h_over_dx,
+                               const Tensor<d>& basis = square_lattice<d>());
+extern template LatticeKernel<1> named_lattice(const std::string&, double, const Tensor<1>&);
+extern template LatticeKernel<2> named_lattice(const std::string&, double, const Tensor<2>&);
 
 /// A wave and its growth: 0 where no wave grows, and k is then 0, too.
 template <int d>
@@ -23,8 +24,8 @@ struct GrowingWave {
     Vector<d> k{};    ///< [1/dx]
 };
 
-/// The fastest growth over the whole Brillouin zone |k_x|, |k_y| <= pi: the best points of a grid, `grid`
-/// intervals on pi, from each of which a search with shrinking steps goes on to the maximum.
+/// The fastest growth over the whole Brillouin zone (square lattice: |k_x|, |k_y| <= pi): the best points of
+/// a grid, `grid` intervals on pi, from each of which a search with shrinking steps goes on to the maximum.
 /// Cost: d = 2: 2 grid^2 wave vectors; half of them for an isotropic pressure.
 template <int d>
 GrowingWave<d> fastest_wave(const LatticeKernel<d>& lattice, const Tensor<d>& pressure, int grid = 48);
