@@ -62,7 +62,7 @@ TEST_CASE("the bar: SPH is lost under tension, the corrective form is not but go
 }
 
 TEST_CASE("with friction a stable lattice comes back at the rate of the matrix, without it does not") {
-    Disorder scene{.time = 40};
+    DisorderedBox scene{.time = 40};
     const DisorderRun damped = run_disorder(scene);
     CHECK(damped.measured_rate() > 0.02);
     CHECK(std::abs(damped.measured_rate() / damped.predicted_rate() - 1) < 0.15);

@@ -35,7 +35,7 @@ double draw_kernel(plot::Panel& panel, const std::string& kernel, int points) {
 plot::Values nearest_pairs(report::Run& run, const plot::Values& h) {
     plot::Values nearest;
     for (const double one : h) {
-        Disorder scene{.friction = 0.1, .time = 150};
+        DisorderedBox scene{.friction = 0.1, .time = 150};
         scene.box.per_side = 16;
         scene.box.h_over_dx = one;
         scene.box.threads = run.threads();

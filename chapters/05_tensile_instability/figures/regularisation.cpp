@@ -8,7 +8,7 @@ namespace sph::tensile {
 namespace {
 
 DisorderRun run_of(const report::Run& run, const std::string& kernel, double h, double friction) {
-    Disorder scene{.friction = friction, .time = run.quick() ? 20.0 : 40.0};
+    DisorderedBox scene{.friction = friction, .time = run.quick() ? 20.0 : 40.0};
     scene.box.kernel = kernel, scene.box.h_over_dx = h;
     scene.box.seed = run.seed(), scene.box.threads = run.threads();
     return run_disorder(scene);

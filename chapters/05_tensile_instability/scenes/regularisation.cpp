@@ -62,7 +62,7 @@ double nearest_pair(const LatticeBox& box, const Columns<2>& x) {
 
 }  // namespace
 
-DisorderRun run_disorder(const Disorder& scene) {
+DisorderRun run_disorder(const DisorderedBox& scene) {
     const LatticeBox& box = scene.box;
     const auto liquid = liquid_box(box, Friction{scene.friction});
     liquid->template integrate_by<RungeKutta2>();  // friction: leapfrog has no velocity in step with it

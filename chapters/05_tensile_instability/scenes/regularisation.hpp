@@ -5,7 +5,7 @@
 /// theory.
 namespace sph::tensile {
 
-struct Disorder {
+struct DisorderedBox {
     LatticeBox box{.per_side = 20, .pressure = 0.2, .jitter = 0.1};
     double friction = 0.5;  ///< nu of dv/dt = ... - nu v   [c/dx]
     double time = 60;       ///< [dx/c]
@@ -27,6 +27,6 @@ struct DisorderRun {
 /// The distance is counted from the nearest lattice that has moved as a whole with the particles' mean.
 /// Prediction: each wave of the box by itself, u'' + nu u' + omega^2 u = 0 from rest, with all waves equally
 /// strong at the start, as independent shifts make them on average. Throws Unstable.
-DisorderRun run_disorder(const Disorder& scene);
+DisorderRun run_disorder(const DisorderedBox& scene);
 
 }  // namespace sph::tensile
