@@ -64,13 +64,13 @@ TEST_CASE("the bar: SPH is lost under tension, the corrective form is not but go
 TEST_CASE("with friction a stable lattice comes back at the rate of the matrix, without it does not") {
     DisorderedBox scene{.time = 40};
     const DisorderRun damped = run_disorder(scene);
-    CHECK(damped.measured_rate() > 0.02);
-    CHECK(std::abs(damped.measured_rate() / damped.predicted_rate() - 1) < 0.15);
+    CHECK(damped.measured_rate() > 0.02);                                          // 0.0303
+    CHECK(std::abs(damped.measured_rate() / damped.predicted_rate() - 1) < 0.06);  // 0.037
     scene.friction = 0;
-    CHECK(run_disorder(scene).measured_rate() < 0.005);
+    CHECK(run_disorder(scene).measured_rate() < 0.005);  // -0.0036
     scene = {.friction = 0.5, .time = 40};
-    scene.box.h_over_dx = 1.5;  // pairs
-    CHECK(run_disorder(scene).measured_rate() < 0);
+    scene.box.h_over_dx = 1.5;                       // pairs
+    CHECK(run_disorder(scene).measured_rate() < 0);  // -0.024
 }
 
 TEST_CASE("under tension the sign criterion gives no false alarm, and misses") {
