@@ -35,8 +35,8 @@ double W_spacing(const LatticeBox& box) {
 double lattice_stress(const std::string& kernel, double h) {
     double sum = 0;
     with_kernel<2>(kernel, [&](const auto& one) {
-        for (const auto& j : lattice_kernel<std::decay_t<decltype(one)>>(h).neighbours)
-            sum -= 0.5 * dot(j.x, j.gradient);
+        for (const auto& j : lattice_kernel<std::decay_t<decltype(one)>>(h).half)
+            sum -= dot(j.x, j.gradient);  // and the one at -x
     });
     return sum;
 }

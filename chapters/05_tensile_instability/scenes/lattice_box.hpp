@@ -10,11 +10,12 @@
 /// particles' mass are 1: the scene of this chapter's theory and of its cures.
 namespace sph::tensile {
 
-/// One wave of displacements: x_i += amplitude cos(k . x_i), k = 2 pi waves/per_side.
+/// One wave of displacements: x_i += amplitude cos(k . (x_i - x_0)), k = 2 pi waves/per_side, with a crest at
+/// the first particle.
 struct LatticeWave {
     std::array<int, 2> waves{};      ///< wave lengths in the box, along x and y
     Vector<2> amplitude{};           ///< [spacings]
-    Vector<2> velocity_amplitude{};  ///< [c]: v_i = velocity_amplitude cos(k . x_i)
+    Vector<2> velocity_amplitude{};  ///< [c]: v_i = velocity_amplitude cos(k . (x_i - x_0))
 };
 
 struct LatticeBox {
@@ -39,10 +40,6 @@ struct LatticeBox {
     Liquid state() const;
     FixedH<AnyKernel<2>> resolution() const { return {h_over_dx, AnyKernel<2>{kernel}}; }
 };
-
-/// The density by summation of the lattice of unit masses and spacing 1. Throws std::invalid_argument for a
-/// name that is none of kernel_names().
-double box_density(const std::string& kernel, double h_over_dx);
 
 /// The lattice's place of particle i, before jitter and wave.
 Vector<2> lattice_place(const LatticeBox& box, std::size_t i);

@@ -4,6 +4,7 @@ namespace exact::program {
 
 std::vector<std::unique_ptr<Solution>> solutions() {
     std::vector<std::unique_ptr<Solution>> list;
+    list.push_back(bar());
     list.push_back(burgers());
     list.push_back(landau());
     list.push_back(noh());

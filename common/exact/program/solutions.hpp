@@ -6,6 +6,7 @@
 /// The solutions that there are, each defined in the file of its name.
 namespace exact::program {
 
+std::unique_ptr<Solution> bar();
 std::unique_ptr<Solution> burgers();
 std::unique_ptr<Solution> landau();
 std::unique_ptr<Solution> noh();
