@@ -43,6 +43,11 @@ constexpr std::array looks{
     Look{"colagrossi", Hue::pink, Marker::square}, Look{"pairwise", Hue::violet, Marker::circle},
     Look{"stress", Hue::orange, Marker::triangle_up}, Look{"layered", Hue::indigo, Marker::square},
     Look{"layered-arithmetic", Hue::sky, Marker::diamond},
+    // chapter 5: elastic solids
+    Look{"jaumann", Hue::orange, Marker::cross}, Look{"artificial-stress", Hue::green, Marker::cross},
+    Look{"strong-xsph", Hue::violet, Marker::circle}, Look{"corrected-rate", Hue::pink, Marker::plus},
+    Look{"total-lagrangian", Hue::blue, Marker::circle},
+    Look{"total-lagrangian-wide", Hue::indigo, Marker::plus}, Look{"jaumann-narrow", Hue::gold, Marker::plus},
     // chapter 8: relativistic gas, and the slab
     Look{"chow-monaghan", Hue::orange, Marker::circle}, Look{"fixed-4", Hue::brown, Marker::triangle_up},
     Look{"fixed-10", Hue::sky, Marker::cross}, Look{"fixed-20", Hue::gold, Marker::circle},
