@@ -45,7 +45,7 @@ constexpr std::array looks{
     Look{"layered-arithmetic", Hue::sky, Marker::diamond},
     // chapter 5: elastic solids
     Look{"jaumann", Hue::orange, Marker::cross}, Look{"artificial-stress", Hue::green, Marker::cross},
-    Look{"strong-xsph", Hue::violet, Marker::circle}, Look{"corrected-rate", Hue::pink, Marker::plus},
+    Look{"strong-xsph", Hue::violet, Marker::triangle_down}, Look{"corrected-rate", Hue::pink, Marker::plus},
     Look{"total-lagrangian", Hue::blue, Marker::circle},
     Look{"total-lagrangian-wide", Hue::indigo, Marker::plus}, Look{"jaumann-narrow", Hue::gold, Marker::plus},
     // chapter 8: relativistic gas, and the slab
