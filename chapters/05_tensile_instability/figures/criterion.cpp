@@ -84,6 +84,9 @@ void criterion(report::Run& run) {
             return 5 * counts[1].missed > 2 * counts[1].unstable && 2 * counts[3].missed > counts[3].unstable;
         },
         report::Needs::any_run);
+    run.claim(
+        "criterion-line", [&] { return counts[2].false_alarms > 0.9 * counts[2].called; },
+        report::Needs::any_run);
 }
 
 }  // namespace sph::tensile
