@@ -68,13 +68,26 @@ std::array<double, 2> growth_by_width(report::Run& run) {
     return most;
 }
 
+/// Growth with the chosen cure where the cubic spline is narrower and wider, smallest h first.
+std::vector<double> growth_by_h(report::Run& run) {
+    std::vector<double> grows;
+    for (const double h : {1.1, 1.2, 1.3, 1.5}) {
+        CureMethod method = with_background(1.5);
+        method.h_over_dx = h;
+        grows.push_back(Response{method, -0.2}.growth());
+        run.record(fmt::format("h-{:g}", h), Response::per_side, {{"growth", grows.back(), "c/dx"}});
+    }
+    return grows;
+}
+
 /// The free drop: how its radius ends, by whatever holds its particles in order. Much viscosity, so that it
 /// comes to rest.
-double drop_radius(const CureScene& of, CureMethod method) {
+CureRun run_drop(const CureScene& of, CureMethod method, double h) {
     CureScene scene = of;
     scene.drop = true, scene.jitter = 0;
     method.parameters.set("alpha", 1);
-    return run_cure(scene, method).radius;
+    method.h_over_dx = h;
+    return run_cure(scene, method);
 }
 
 double kept_shear(const CureScene& of, const CureMethod& method) {
@@ -111,10 +124,13 @@ void balanced_strength(report::Run& run) {
                    {{"least_background", least[which], "tension"}});
     }
     CureScene scene = cure_scene(run);
-    std::map<std::string, double> radius, shear;
+    std::map<std::string, double> radius, distance, shear;
     for (const char* name : {"viscosity", "background", "balanced"}) {
-        radius[name] = drop_radius(scene, cure_methods()[name]);
-        run.record(std::string{"drop-"} + name, scene.n, {{"radius", radius[name], "start"}});
+        // The drop's spacing shrinks to 0.91: from h = 1 dx to 1.1, which no particles pair at.
+        const CureRun drop = run_drop(scene, cure_methods()[name], 1.0);
+        radius[name] = drop.radius, distance[name] = drop.smallest_distance;
+        run.record(std::string{"drop-"} + name, scene.n,
+                   {{"radius", drop.radius, "start"}, {"smallest_distance", drop.smallest_distance, "dx"}});
     }
     for (const char* name : {"background", "balanced"}) {
         shear[name] = kept_shear(scene, cure_methods()[name]);
@@ -145,6 +161,19 @@ void balanced_strength(report::Run& run) {
     });
     const double rest = 1 / std::sqrt(1 - scene.pressure);  // where the density has raised P to 0
     run.claim("drop-grows", [&] { return radius["background"] > 1 && radius["background"] > rest + 0.05; });
+    run.fill("drop-distance", report::fixed(distance["viscosity"], 1));
+    run.fill("drop-distance-balanced", report::fixed(distance["balanced"], 1));
+    const CureRun wide = run_drop(scene, cure_methods()["balanced"], 1.2);
+    run.record("drop-balanced-wide", scene.n, {{"smallest_distance", wide.smallest_distance, "dx"}});
+    run.claim("drop-pairs", [&] { return wide.smallest_distance < 0.3; });
+    run.claim("drop-clumps", [&] { return distance["viscosity"] < 0.4 && distance["balanced"] > 0.6; });
+    const std::vector<double> by_h = growth_by_h(run);
+    run.fill("growth-at-1.5", report::fixed(by_h.back(), 2));
+    run.claim("window", [&] { return by_h[1] < 1e-3 && by_h.back() > 0.1; });
+    run.claim("shear-is-felt", [&] {
+        const double speed = Response{with_background(1.5), -0.2}.shear_speed();
+        return speed > 0.04 && speed < 0.08;
+    });
     run.claim("drop-balanced", [&] { return std::abs(radius["balanced"] - rest) < 0.03; });
 }
 
