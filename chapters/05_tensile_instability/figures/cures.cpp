@@ -160,7 +160,9 @@ void cures(report::Run& run) {
         const Merits merits = merits_of(method, scene, cure_seeds(run));
         run.record(method.name, scene.n, merits.measured());
         if (is_shown(method.name)) table.show({method.label}, merits.measured());
-        full.show({method.label}, merits.measured());
+        // The label is for figures: tables have other marks for an index.
+        full.show({method.name == "difference" ? "share of the difference" : method.label},
+                  merits.measured());
         draw_growth(growth, method, merits);
         draw_order(order, merits);
         all[method.name] = merits;
