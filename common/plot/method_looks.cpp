@@ -43,6 +43,13 @@ constexpr std::array looks{
     Look{"colagrossi", Hue::pink, Marker::square}, Look{"pairwise", Hue::violet, Marker::circle},
     Look{"stress", Hue::orange, Marker::triangle_up}, Look{"layered", Hue::indigo, Marker::square},
     Look{"layered-arithmetic", Hue::sky, Marker::diamond},
+    // chapter 6: Burgers' equation
+    Look{"brookshaw", Hue::brown, Marker::diamond}, Look{"fpm", Hue::violet, Marker::triangle_down},
+    Look{"sfpm", Hue::sky, Marker::triangle_down}, Look{"taylor", Hue::indigo, Marker::triangle_up},
+    Look{"mls", Hue::gold, Marker::plus}, Look{"sfpm-4", Hue::blue, Marker::square},
+    Look{"xsph", Hue::pink, Marker::plus}, Look{"remesh-fit", Hue::green, Marker::cross},
+    Look{"remesh-m4", Hue::orange, Marker::cross}, Look{"frame-2", Hue::blue, Marker::diamond},
+    Look{"frame-4", Hue::blue, Marker::circle},
     // chapter 8: relativistic gas, and the slab
     Look{"chow-monaghan", Hue::orange, Marker::circle}, Look{"fixed-4", Hue::brown, Marker::triangle_up},
     Look{"fixed-10", Hue::sky, Marker::cross}, Look{"fixed-20", Hue::gold, Marker::circle},
