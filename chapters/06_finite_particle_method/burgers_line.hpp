@@ -148,11 +148,14 @@ class BurgersLine final : public Integrated<1> {
     // [end]
 
     void start(double /*t*/) override { rows_ = nullptr; }
-    /// Throws Unstable for particles that have left the line and are far away.
+    /// Throws Unstable for particles far beyond the line, and for |u| > 10: no solution exceeds the largest
+    /// |u| of its start, which is 1.
     void resolve(double t) override {
-        constexpr double far = 100;  // lengths
+        constexpr double far = 100, fast = 10;
         for (std::size_t i = 0; i < particles.size(); ++i) {
-            if (!(std::abs(particles.x[0][i]) < far)) throw Unstable{t, i, "position", particles.x[0][i]};
+            const double x = particles.x[0][i], u = particles.v[0][i];
+            if (!(std::abs(x) < far)) throw Unstable{t, i, "position", x};
+            if (!(std::abs(u) < fast)) throw Unstable{t, i, "velocity", u};
         }
         frame_->smoothing_lengths(particles);
         rows_ = &source_->at(particles);

@@ -27,7 +27,7 @@ class Rows {
     /// An entry: the neighbour, 1 or for an image -1, and what the derivatives take of it.
     void add(std::uint32_t owner, double sign, const std::array<double, derivatives<d>>& c) {
         owner_.push_back(owner), sign_.push_back(sign);
-        for (std::size_t k = 0; k < c.size(); ++k) c_[k].push_back(c[k]);
+        for (std::size_t k = 0; k < c.size(); ++k) c_[k].push_back(sign * c[k]);
         ++rows_[writing_].end;
     }
     std::size_t entries(std::size_t i) const { return rows_[i].end - rows_[i].begin; }
@@ -38,7 +38,7 @@ class Rows {
         for (std::size_t i = 0; i < size(); ++i) {
             double sum = 0;
             for (std::size_t e = rows_[i].begin; e < rows_[i].end; ++e)
-                sum += c_[k][e] * (parity == Parity::odd ? sign_[e] : 1) * f[owner_[e]];
+                sum += c_[k][e] * (parity == Parity::odd ? 1 : sign_[e]) * f[owner_[e]];
             out[i] = sum;
         }
     }
@@ -48,9 +48,8 @@ class Rows {
         for (std::size_t i = 0; i < size(); ++i) {
             double first = 0, second = 0;
             for (std::size_t e = rows_[i].begin; e < rows_[i].end; ++e) {
-                const double f_j = sign_[e] * f[owner_[e]];
-                first += c_[1][e] * f_j;
-                second += c_[2][e] * f_j;
+                first += c_[1][e] * f[owner_[e]];
+                second += c_[2][e] * f[owner_[e]];
             }
             slope[i] = first, curvature[i] = second;
         }
@@ -65,7 +64,7 @@ class Rows {
     std::size_t writing_ = 0;
     std::vector<std::uint32_t> owner_;
     Column sign_;
-    std::array<Column, derivatives<d>> c_;
+    std::array<Column, derivatives<d>> c_;  // for odd functions: of images with their sign
 };
 
 }  // namespace sph

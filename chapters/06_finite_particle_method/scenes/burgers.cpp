@@ -6,6 +6,7 @@
 #include "chapters/06_finite_particle_method/scenes/differences.hpp"
 #include "chapters/06_finite_particle_method/scenes/estimators.hpp"
 #include "common/core/arrangement.hpp"
+#include "common/core/unstable.hpp"
 #include "common/exact/burgers.hpp"
 
 namespace sph::fpm {
@@ -79,10 +80,15 @@ class Watched {
                                ? 0
                                : std::lround(static_cast<double>(scene_->steps) * (end - t) / scene_->time);
         const StepControl control{.end = end, .steps = steps, .progress = scene_->progress};
-        const Marched done = march(line_, t, control, [&](double now) { look(now); });
+        const Marched done = march(line_, t, control, [&](double now) {
+            look(now);
+            return !is_over();
+        });
         run_->steps += done.steps, run_->seconds += done.seconds;
         measure(t);
     }
+    bool is_over() const { return scene_->stops_at_crossing && run_->first_crossing >= 0; }
+    void evaluate() { line_.rates(0); }
     void finish() {
         run_->x = labelled(line_.particles.x[0]);
         run_->u = labelled(line_.particles.v[0]);
@@ -104,7 +110,8 @@ class Watched {
         const double dx = scene_->dx(), offset = has_particles_at_ends(*scene_) ? 0 : 0.5;
         const auto shift = static_cast<double>(extra(*scene_));
         for (std::size_t i = 0; i < p.size(); ++i) {
-            const double x = (static_cast<double>(i) - shift + offset) * dx;
+            double x = (static_cast<double>(i) - shift + offset) * dx;
+            if (i > 0 && i + 1 < p.size()) x += scene_->jitter * (2 * uniform() - 1) * dx;
             const double r = scene_->perturbation * (2 * uniform() - 1), s = 2 * uniform() - 1;
             p.x[0][i] = x + r * dx;
             p.v[0][i] = std::sin(pi * p.x[0][i]) + 0.1 * scene_->perturbation * s;
@@ -119,7 +126,7 @@ class Watched {
     /// What diffusion and motion allow: Runge and Kutta's method is stable to 0.69 (order 2) or 0.52 (order
     /// 4) of dx^2/gamma, and to 2 dx/|u|.
     double longest_step() const {
-        constexpr double diffusion = 0.4, motion = 0.4, with_u = 0.2;
+        constexpr double diffusion = 0.5, motion = 0.4, with_u = 0.2;
         const BurgersParticles& p = line_.particles;
         const double dx = scene_->dx();
         double least = dx, rate = 1e-9;  // of the space, and of crossing it
@@ -211,16 +218,49 @@ double BurgersScene::dx() const {
     return length / static_cast<double>(has_particles_at_ends(*this) ? n - 1 : n);
 }
 
+namespace {
+
+void march_through(const BurgersScene& scene, Watched& line) {
+    double t = 0;
+    for (const double look : scene.looks) {
+        if (look < scene.time && !line.is_over()) line.march_to(look, t);
+    }
+    if (!line.is_over()) line.march_to(scene.time, t);
+}
+
+}  // namespace
+
 BurgersRun run_burgers(const BurgersScene& scene) {
     BurgersRun run;
     Watched line{scene, run};
-    double t = 0;
-    for (const double look : scene.looks) {
-        if (look < scene.time) line.march_to(look, t);
-    }
-    line.march_to(scene.time, t);
+    march_through(scene, line);
     line.finish();
     return run;
+}
+
+BurgersRun try_burgers(const BurgersScene& scene) {
+    BurgersRun run;
+    Watched line{scene, run};
+    try {
+        march_through(scene, line);
+    } catch (const Unstable& failure) {
+        run.stopped = failure.time;
+    }
+    line.finish();
+    return run;
+}
+
+std::function<void()> rates_of(const BurgersScene& given) {
+    struct Held {
+        BurgersScene scene;
+        BurgersRun run;
+        Watched line;
+        explicit Held(const BurgersScene& s) : scene{s}, line{scene, run} {}
+    };
+    BurgersScene scene = given;
+    if (scene.estimate != "fdm") scene.moving = Moving::with_u;
+    const auto held = std::make_shared<Held>(scene);
+    return [held] { held->line.evaluate(); };
 }
 
 report::Quantities BurgersRun::measured() const {

@@ -21,11 +21,13 @@ struct BurgersScene {
     double h_over_dx = 1;
     double length = 1;        ///< of the line, with mirrors at both ends; 1, or 2 for Ye's figure 5
     double perturbation = 0;  ///< largest random change of x [spacings] and of u [its amplitude/10]
+    double jitter = 0;        ///< largest random shift of still particles, but those at the ends [spacings]
     unsigned long seed = 1;
     long steps = 0;               ///< > 0: so many equal steps
     double step_factor = 1;       ///< times the usual step
     std::vector<double> looks{};  ///< times at which errors are measured, beside the end
-    bool keeps_paths = false;     ///< of all particles, at each step
+    bool stops_at_crossing = false;
+    bool keeps_paths = false;  ///< of all particles, at each step
     std::function<void(double)> progress{};
 
     double dx() const;
@@ -42,8 +44,9 @@ struct BurgersRun {
     double worst_l1 = 0, worst_linf = 0;  ///< over all looks
     double relative = 0;  ///< P of (Ye et al. 2019, 23), at seven places; NaN unless particles stand there
     long steps = 0, remeshings = 0, evaluations = 0;
-    std::size_t crossed = 0, most_crossed = 0;    ///< neighbours in the wrong order: at the end, and the most
-    double first_crossing = -1;                   ///< time; -1: never
+    std::size_t crossed = 0, most_crossed = 0;  ///< neighbours in the wrong order: at the end, and the most
+    double first_crossing = -1;                 ///< time; -1: never
+    double stopped = -1;  ///< time at which try_burgers() found the state unphysical; -1: never
     double mass_change = 0, momentum_change = 0;  ///< by remeshing, relative to what there was at t = 0
     Enlarged enlarged;
     double seconds = 0;  ///< CPU time of the steps
@@ -56,6 +59,13 @@ struct BurgersRun {
 /// Runs it. Throws Unstable for a state that is not finite, std::invalid_argument for a scene that has no
 /// meaning (differences that move, a frame without mirrors).
 BurgersRun run_burgers(const BurgersScene& scene);
+
+/// The same, but where run_burgers() would throw Unstable, what there was until then.
+BurgersRun try_burgers(const BurgersScene& scene);
+
+/// One evaluation of the rates at the start, rows found anew as for particles that move; for differences,
+/// which have theirs, only applied.
+std::function<void()> rates_of(const BurgersScene& scene);
 
 /// The position at time t of the fluid element that began at X: dx/dt = u, by the exact u.
 Column exact_path(double viscosity, double X, const Column& times);

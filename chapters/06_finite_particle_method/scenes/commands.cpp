@@ -46,14 +46,12 @@ void BurgersCommand::declare(app::CommandLine& line) {
     line.choice("motion", motion_, {"still", "moving"}, "whether particles stand still or move")
         .text("method", method_, "NAME", "'list' names those of the motion; default: the recommended one")
         .choice("boundary", boundary_, ends_names(), "how u = 0 is told to the particles at the ends")
-        .number("viscosity", viscosity_,
-                {exact::Burgers::least_viscosity, exact::Burgers::largest_viscosity}, "length^2/time",
-                "gamma in u_t + u u_x = gamma u_xx")
+        .number("viscosity", viscosity_, {exact::Burgers::least_viscosity, exact::Burgers::largest_viscosity},
+                "length^2/time", "gamma in u_t + u u_x = gamma u_xx")
         .integer("particles", particles_, 8, 2000, "between the ends")
         .number("time", time_, {0, exact::Burgers::largest_time, true}, "time", "how long the scene runs")
         .choice("kernel", kernel_, any_kernel_names(), "smoothing kernel; default: the method's")
-        .number("h-over-dx", h_over_dx_, {0.5, 20}, "spacings",
-                "smoothing length h; default: the method's");
+        .number("h-over-dx", h_over_dx_, {0.5, 20}, "spacings", "smoothing length h; default: the method's");
 }
 
 void BurgersCommand::run(report::Run& run) const {
@@ -139,7 +137,8 @@ void EstimateCommand::run_in(report::Run& run) const {
         plot::Panel& axes = figure.at(0, panel).titled(titles[panel]).labels("exact", "estimated");
         const auto [low, high] = std::minmax_element(e.exact[k].begin(), e.exact[k].end());
         axes.curve({*low, *high}, {*low, *high}, plot::exact());
-        axes.points(e.exact[k], e.estimated[k], {.label = member_, .marker = plot::Marker::circle, .marker_size = 3});
+        axes.points(e.exact[k], e.estimated[k],
+                    {.label = member_, .marker = plot::Marker::circle, .marker_size = 3});
     }
     run.save(figure);
 }

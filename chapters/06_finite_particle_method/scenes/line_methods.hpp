@@ -25,6 +25,9 @@ const report::Methods<LineMethod>& still_methods();
 /// Particles that move. Recommended: those that move to wanted places, with a fit of order 4.
 const report::Methods<LineMethod>& moving_methods();
 
+/// A viscosity as figures and results.csv write it: "0.005".
+std::string written(double viscosity);
+
 /// frozen, free, mirror, none
 const std::vector<std::string>& ends_names();
 /// Throws std::invalid_argument for a name that is none of them.
