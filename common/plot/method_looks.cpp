@@ -44,7 +44,7 @@ constexpr std::array looks{
     Look{"stress", Hue::orange, Marker::triangle_up}, Look{"layered", Hue::indigo, Marker::square},
     Look{"layered-arithmetic", Hue::sky, Marker::diamond},
     // chapter 6: Burgers' equation
-    Look{"brookshaw", Hue::brown, Marker::diamond}, Look{"fpm", Hue::violet, Marker::triangle_down},
+    Look{"brookshaw", Hue::brown, Marker::diamond}, Look{"fpm", Hue::violet, Marker::plus},
     Look{"sfpm", Hue::sky, Marker::triangle_down}, Look{"taylor", Hue::indigo, Marker::triangle_up},
     Look{"mls", Hue::gold, Marker::plus}, Look{"sfpm-4", Hue::blue, Marker::square},
     Look{"xsph", Hue::pink, Marker::plus}, Look{"remesh-fit", Hue::green, Marker::cross},
