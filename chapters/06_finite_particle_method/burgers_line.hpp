@@ -150,13 +150,16 @@ class BurgersLine final : public Integrated<1> {
     void start(double /*t*/) override { rows_ = nullptr; }
     /// Throws Unstable for particles far beyond the line, and for |u| > 10: no solution exceeds the largest
     /// |u| of its start, which is 1.
-    void resolve(double t) override {
+    void require_bounded(double t) const {
         constexpr double far = 100, fast = 10;
         for (std::size_t i = 0; i < particles.size(); ++i) {
             const double x = particles.x[0][i], u = particles.v[0][i];
             if (!(std::abs(x) < far)) throw Unstable{t, i, "position", x};
             if (!(std::abs(u) < fast)) throw Unstable{t, i, "velocity", u};
         }
+    }
+    void resolve(double t) override {
+        require_bounded(t);
         frame_->smoothing_lengths(particles);
         rows_ = &source_->at(particles);
         u_x_.resize(particles.size()), u_xx_.resize(particles.size());

@@ -19,11 +19,12 @@ void singular(report::Run& run) {
         plot::Values h, flagged;
         for (const double h_over_dx : {0.8, 1.0, 1.2, 1.5, 1.8, 2.2}) {
             const auto found = random_neighbourhoods(sets, 1000, h_over_dx, {name, 2}, "quintic", run.seed());
-            h.push_back(h_over_dx);
-            flagged.push_back(static_cast<double>(found.enlarged.flagged) / static_cast<double>(found.count));
-            run.record(name, 1000, {{"enlarged_at_" + report::number(h_over_dx, 2), flagged.back()}});
+            const double part =
+                static_cast<double>(found.enlarged.flagged) / static_cast<double>(found.count);
+            if (part > 0) h.push_back(h_over_dx), flagged.push_back(part);
+            run.record(name, 1000, {{"enlarged_at_" + report::number(h_over_dx, 2), part}});
             if (h_over_dx >= 1) left += found.enlarged.left, million += found.count;
-            if (h_over_dx == 1) share_at_1 = flagged.back();
+            if (h_over_dx == 1) share_at_1 = part;
         }
         share.curve(h, flagged, still_methods()[name].styled());
     }
@@ -42,7 +43,7 @@ void singular(report::Run& run) {
         error.curve(n, off,
                     {.label = "$h$/d$x$ = " + report::number(h_over_dx, 2), .marker = plot::Marker::circle});
     }
-    error.slope(2, 200, 1600, 1e-4, "order 2");
+    error.slope(-2, 200, 1600, 5e-3, "order 2");
     run.fill("enlarged-share", report::number(100 * share_at_1, 1));
     run.claim("none-left", [&] {
         return left == 0 && million >= 1000000 && share_at_1 > 0.005 && share_at_1 < 0.05 &&

@@ -141,7 +141,7 @@ class Watched {
 
     void look(double t) {
         BurgersParticles& p = line_.particles;
-        if (!is_moving(*scene_)) return;
+        if (!is_moving(*scene_)) return line_.require_bounded(t);
         count_crossings(t);
         if (scene_->keeps_paths) {
             run_->path_t.push_back(t);
