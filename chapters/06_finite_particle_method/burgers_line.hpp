@@ -87,8 +87,8 @@ struct Still final : Frame {
 struct Lagrangian final : Frame {
     void velocities(BurgersParticles& p, const Rows<1>&) const override { p.w[0] = p.v[0]; }
 };
-/// Each moves with a share of its neighbours' velocity: w_i = u_i + strength (sum_j V_j u_j W_ij - u_i), with
-/// Shepard's value, (Monaghan 2005, 10.2 divided by its sum).
+/// Each moves with a share of its neighbours' velocity: w_i = u_i + strength (<u>_i - u_i), with the value
+/// <u> that the rows give (XSPH; Monaghan 2005, 10.2, has a plain sum).
 struct Xsph final : Frame {
     double strength;
     explicit Xsph(double share) : strength{share} {}

@@ -13,7 +13,7 @@ struct Monitor {
     double power =
         0.25;  ///< of |u_xx|: a fourth, for a scheme whose error grows with the spacing's fourth power
     double share = 0.5;   ///< of the particles that follow the monitor; the others are spread evenly
-    int smoothings = 32;  ///< how often it is averaged with weights 1/4, 1/2, 1/4: over six spacings
+    int smoothings = 32;  ///< how often it is averaged with weights 1/4, 1/2, 1/4: over four spacings
 };
 
 /// Equidistribution. Let M(x) > 0 say how dense particles should be. Their wanted places X_i share out the

@@ -75,7 +75,8 @@ void assert_text(report::Run& run, const All& frozen, const All& mirror) {
     run.claim("still-orders", [&] {
         return second(frozen.at("cspm")) && second(frozen.at("fpm")) && second(frozen.at("sfpm")) &&
                second(frozen.at("fdm")) && frozen.at("sfpm").relative.back() <= 8.1e-4 &&
-               frozen.at("fpm").relative.back() <= 9.5e-4 && frozen.at("sph").relative.back() > 0.5;
+               frozen.at("fpm").relative.back() <= 9.5e-4 &&
+               frozen.at("sph").relative.back() > 900 * frozen.at("cspm").relative.back();
     });
     run.claim("still-monotonic", [&] {
         bool falls = true;
@@ -97,6 +98,11 @@ void assert_text(report::Run& run, const All& frozen, const All& mirror) {
             most = std::max(most, std::abs(run_burgers(scene).relative / one.relative[1] - 1));
         }
         return most < 1e-4;
+    });
+    run.claim("answer-still", [&] {
+        const auto p = [](const All& all, const char* name) { return all.at(name).relative[2]; };
+        return p(mirror, "brookshaw") < p(frozen, "sfpm") && p(mirror, "sfpm-4") < 1e-3 * p(frozen, "sfpm") &&
+               p(frozen, "sfpm") < 0.1 * p(frozen, "brookshaw");
     });
     run.claim("fourth-is-difference", [&] {
         const Series &fit = mirror.at("sfpm-4"), &grid = mirror.at("fdm-4");
