@@ -43,12 +43,17 @@ constexpr std::array looks{
     Look{"colagrossi", Hue::pink, Marker::square}, Look{"pairwise", Hue::violet, Marker::circle},
     Look{"stress", Hue::orange, Marker::triangle_up}, Look{"layered", Hue::indigo, Marker::square},
     Look{"layered-arithmetic", Hue::sky, Marker::diamond},
+    // chapter 5: elastic solids
+    Look{"jaumann", Hue::orange, Marker::cross}, Look{"artificial-stress", Hue::green, Marker::cross},
+    Look{"strong-xsph", Hue::violet, Marker::triangle_down}, Look{"corrected-rate", Hue::pink, Marker::plus},
+    Look{"total-lagrangian", Hue::blue, Marker::circle},
+    Look{"total-lagrangian-wide", Hue::indigo, Marker::plus}, Look{"jaumann-narrow", Hue::gold, Marker::plus},
     // chapter 6: Burgers' equation
     Look{"brookshaw", Hue::brown, Marker::diamond}, Look{"fpm", Hue::violet, Marker::plus},
     Look{"sfpm", Hue::sky, Marker::triangle_down}, Look{"taylor", Hue::indigo, Marker::triangle_up},
-    Look{"mls", Hue::gold, Marker::plus}, Look{"sfpm-4", Hue::blue, Marker::square},
-    Look{"xsph", Hue::pink, Marker::plus}, Look{"remesh-fit", Hue::green, Marker::cross},
-    Look{"remesh-m4", Hue::orange, Marker::cross}, Look{"frame-2", Hue::blue, Marker::diamond},
+    Look{"mls", Hue::indigo, Marker::cross}, Look{"sfpm-4", Hue::blue, Marker::square},
+    Look{"xsph", Hue::violet, Marker::cross}, Look{"remesh-fit", Hue::pink, Marker::cross},
+    Look{"remesh-m4", Hue::brown, Marker::cross}, Look{"frame-2", Hue::blue, Marker::diamond},
     Look{"frame-4", Hue::blue, Marker::circle},
     // chapter 8: relativistic gas, and the slab
     Look{"chow-monaghan", Hue::orange, Marker::circle}, Look{"fixed-4", Hue::brown, Marker::triangle_up},

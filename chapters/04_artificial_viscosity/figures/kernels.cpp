@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 
 #include "chapters/04_artificial_viscosity/scenes/tube.hpp"
@@ -62,6 +63,13 @@ void kernels(report::Run& run) {
     s.legend.outside = true;
     run.save(figure);
     run.fill("kernels", table.markdown());
+    run.claim("super-gaussian-rings", [&] {  // both at h = 1.2 spacings
+        const auto largest = [&](const char* kernel) {
+            const Column entropy = entropy_of(of_kernel.at(kernel)[1].profile, scene.gamma);
+            return *std::max_element(entropy.begin(), entropy.end());
+        };
+        return largest("super-gaussian") > largest("gaussian");
+    });
     run.claim("super-gaussian-better", [&] {
         bool better = true;
         for (std::size_t k = 0; k < 4; ++k) {
