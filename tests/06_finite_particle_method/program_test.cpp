@@ -17,7 +17,7 @@ TEST_CASE("bad options are refused in one line that names them") {
     check_refused("--scene burgers --time 0" + out, 2, "--time");
     check_refused("--scene burgers --kernel cubik" + out, 2, "cubic");
     check_refused("--scene estimate --order 4 --member fpm" + out, 2, "allowed: 1, 2");
-    check_refused("--scene estimate --order 5" + out, 2, "1, 2, 3, 4, 6");
+    check_refused("--scene estimate --order 3" + out, 2, "1, 2, 4");
     check_refused("--scene estimate --dimension 2 --member brookshaw" + out, 2, "--member");
     check_refused("--scene estimate --dimension 3 --particles 100" + out, 2, "8..48");
     check_refused("--only still --viscosity 1" + out, 2, "--scene burgers");

@@ -70,7 +70,7 @@ std::vector<report::Track> race_still(report::Run& run, plot::Panel& panel) {
 }
 
 std::vector<report::Track> race_moving(report::Run& run, plot::Panel& panel) {
-    const auto sizes = run.sizes({25, 35}, {35, 50, 70, 100, 140});
+    const auto sizes = run.sizes({50, 70}, {35, 50, 70, 100, 140});
     constexpr double viscosity = 0.02;
     std::vector<report::Contestant> all;
     for (const char* name : {"taylor", "remesh-fit", "remesh-m4", "frame-2", "frame-4"})

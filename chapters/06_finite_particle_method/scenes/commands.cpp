@@ -30,7 +30,7 @@ LineMethod chosen(const report::Methods<LineMethod>& methods, const std::string&
 int largest_order(const std::string& member, long dimension) {
     if (member == "sph") return 2;
     const bool moments = member == "sfpm" || member == "taylor" || member == "mls";
-    return moments && dimension == 1 ? 6 : 2;
+    return moments && dimension == 1 ? 4 : 2;
 }
 
 std::string name_of_term(std::size_t k, const std::vector<std::size_t>& axes) {
@@ -93,7 +93,7 @@ void EstimateCommand::declare(app::CommandLine& line) {
     std::vector<std::string> names;
     for (const Member& member : members()) names.push_back(member.name);
     line.choice("member", member_, names, "of the family")
-        .integer("order", order_, 1, 6, "of Taylor's series: 1, 2; in 1D also 3, 4, 6 for sfpm, taylor, mls")
+        .integer("order", order_, 1, 4, "of Taylor's series: 1, 2; in 1D also 4 for sfpm, taylor, mls")
         .choice("function", function_, {"two-gaussians", "wave", "parabola"}, "that is interpolated")
         .integer("dimension", dimension_, 1, 3, "of the box")
         .integer("particles", particles_, 8, 4096, "along each side of the box")
@@ -146,9 +146,9 @@ void EstimateCommand::run_in(report::Run& run) const {
 void EstimateCommand::run(report::Run& run) const {
     const int most = largest_order(member_, dimension_);
     const bool plain = member_ == "sph" || member_ == "brookshaw";
-    if (order_ > most || order_ == 5)
+    if (order_ > most || order_ == 3)
         throw app::UsageError{fmt::format("--order: {} is not allowed with {} in {} dimensions; allowed: {}",
-                                          order_, member_, dimension_, most == 2 ? "1, 2" : "1, 2, 3, 4, 6")};
+                                          order_, member_, dimension_, most == 2 ? "1, 2" : "1, 2, 4")};
     if (plain && dimension_ > 1)
         throw app::UsageError{"--member: " + member_ + " is not allowed in more than 1 dimension; allowed: " +
                               "cspm, fpm, sfpm, taylor, mls"};

@@ -17,7 +17,7 @@ struct Member {
 /// sph, brookshaw (1D), cspm, fpm, sfpm, taylor, mls
 const std::vector<Member>& members();
 
-/// The member of that name. d = 1, 2, 3; order 1 or 2, in 1D for sfpm, taylor and mls up to 6. Throws
+/// The member of that name. d = 1, 2, 3; order 1 or 2, in 1D for sfpm, taylor and mls also 4. Throws
 /// std::invalid_argument for what is not there.
 template <int d>
 std::shared_ptr<const Estimator<d>> estimator(const std::string& name, int order = 2);
