@@ -13,9 +13,9 @@ const std::vector<double> viscosities{0.1, 0.02, 0.005};
 const std::vector<std::string> compared{"sfpm",      "taylor",  "xsph",   "remesh-fit",
                                         "remesh-m4", "frame-2", "frame-4"};
 
-BurgersScene scene_of(const std::string& name, double viscosity) {
+BurgersScene scene_of(const report::Run& run, const std::string& name, double viscosity) {
     BurgersScene scene = moving_methods()[name].on({});
-    scene.viscosity = viscosity;
+    scene.n = run.quick() ? 50 : 100, scene.viscosity = viscosity;
     for (int k = 1; k < 20; ++k) scene.looks.push_back(0.05 * k);
     return scene;
 }
@@ -82,8 +82,8 @@ void remedies(report::Run& run) {
         std::vector<std::string> row{method.label};
         for (const double viscosity : viscosities) {
             const std::string which = name + " " + written(viscosity);
-            const BurgersRun& line = runs[which] = try_burgers(scene_of(name, viscosity));
-            run.record(name + " gamma " + written(viscosity), 100, line.measured());
+            const BurgersRun& line = runs[which] = try_burgers(scene_of(run, name, viscosity));
+            run.record(name + " gamma " + written(viscosity), line.x.size(), line.measured());
             row.push_back(text_of(line));
             if (line.remeshings > 0)
                 losses.row({method.label, written(viscosity), std::to_string(line.remeshings),
