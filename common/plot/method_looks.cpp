@@ -48,6 +48,13 @@ constexpr std::array looks{
     Look{"strong-xsph", Hue::violet, Marker::triangle_down}, Look{"corrected-rate", Hue::pink, Marker::plus},
     Look{"total-lagrangian", Hue::blue, Marker::circle},
     Look{"total-lagrangian-wide", Hue::indigo, Marker::plus}, Look{"jaumann-narrow", Hue::gold, Marker::plus},
+    // chapter 6: Burgers' equation
+    Look{"brookshaw", Hue::brown, Marker::diamond}, Look{"fpm", Hue::violet, Marker::plus},
+    Look{"sfpm", Hue::sky, Marker::triangle_down}, Look{"taylor", Hue::indigo, Marker::triangle_up},
+    Look{"mls", Hue::indigo, Marker::cross}, Look{"sfpm-4", Hue::blue, Marker::square},
+    Look{"xsph", Hue::violet, Marker::cross}, Look{"remesh-fit", Hue::pink, Marker::cross},
+    Look{"remesh-m4", Hue::brown, Marker::cross}, Look{"frame-2", Hue::blue, Marker::diamond},
+    Look{"frame-4", Hue::blue, Marker::circle},
     // chapter 8: relativistic gas, and the slab
     Look{"chow-monaghan", Hue::orange, Marker::circle}, Look{"fixed-4", Hue::brown, Marker::triangle_up},
     Look{"fixed-10", Hue::sky, Marker::cross}, Look{"fixed-20", Hue::gold, Marker::circle},
