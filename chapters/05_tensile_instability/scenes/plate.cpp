@@ -69,7 +69,7 @@ PlateRun run_plate(const PlateScene& scene, const SolidMethod& method) {
     });
     run.counters = solid->counters();
     const std::size_t last = run.t.size() - 1;
-    if (run.swing[last] > 0) return run;
+    if (last == 0 || run.swing[last] > 0) return run;  // it has not swung through
     // The zero between the last two steps, by a straight line.
     const double share = run.swing[last] / (run.swing[last] - run.swing[last - 1]);
     run.frequency = 0.5 / (run.t[last] - share * (run.t[last] - run.t[last - 1]));
