@@ -87,6 +87,14 @@ TEST_CASE("reconstruction takes out what both slopes explain, and trusts it less
     const double left = 0.25 - 0.25 / (1 + 0.25 * 0.25);
     CHECK(ReconstructedViscosity{}.pressure(pair.i, pair.j, pair.pair)[0] ==
           Approx(0.5 * left * (2 + 4 * left)));
+    // Without slopes it is the signal viscosity, with half of them half is taken out (fails if `slopes` does
+    // not multiply).
+    const auto with = [&](double slopes) {
+        return ReconstructedViscosity{{}, slopes}.pressure(pair.i, pair.j, pair.pair)[0];
+    };
+    CHECK(with(0) == SignalViscosity{}.pressure(pair.i, pair.j, pair.pair)[0]);
+    const double half = 0.25 - 0.125 / (1 + 0.25 * 0.25);
+    CHECK(with(0.5) == Approx(0.5 * half * (2 + 4 * half)));
     pair.j.dv_dx[0][0] = Tile(0.5);  // slopes of different signs: nothing
     CHECK(ReconstructedViscosity{}.pressure(pair.i, pair.j, pair.pair)[0] ==
           Approx(SignalViscosity{}.pressure(pair.i, pair.j, pair.pair)[0]));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "chapters/04_artificial_viscosity/figures/sod_entropy.hpp"
 #include "chapters/04_artificial_viscosity/scenes/noh_plane.hpp"
@@ -71,13 +72,9 @@ report::Comparison table_of() {
 
 /// The colour says the viscosity, a filled marker the narrow kernel, a square conduction.
 plot::Style look_of(const Combination& one, bool labelled) {
-    const char* method = one.viscosity == "reconstructed"     ? "reconstructed"
-                         : one.viscosity == "signal, K = 0.5" ? "signal"
-                         : one.viscosity == "Morris–Monaghan" ? "morris-monaghan"
-                                                              : "narrow";
-    plot::Style look = plot::dots(plot::look_of(method, labelled ? one.viscosity : ""), 8);
-    look.marker = one.conducts ? plot::Marker::square : plot::Marker::circle;
-    look.filled = !one.wide;
+    plot::Style look = plot::dots(plot::look_of(one.look, labelled ? one.viscosity : ""), 8);
+    look.marker = one.parts.conducts ? plot::Marker::square : plot::Marker::circle;
+    look.filled = !one.parts.wide;
     return look;
 }
 
@@ -165,14 +162,16 @@ void one_at_a_time(report::Run& run) {
     for (const Combination& one : combinations()) {
         const Quantities values = measured(run, one);
         table.add(run, one.name, run.quick() ? 90 : 360,
-                  {one.viscosity, one.wide ? "wide" : "narrow", one.conducts ? "(4.9)" : "none"}, values);
+                  {one.viscosity, one.parts.wide ? "wide" : "narrow", one.parts.conducts ? "(4.9)" : "none"},
+                  values);
         all.emplace_back(one, values);
     }
     run.fill("one-at-a-time", table.markdown());
     assert_text(run, [&](const std::string& name, const std::string& quantity) {
-        const auto found =
-            std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first.name == name; });
-        return report::value_of(found->second, quantity);
+        for (const auto& [one, values] : all) {
+            if (one.name == name) return report::value_of(values, quantity);
+        }
+        throw std::out_of_range{"no such combination: " + name};
     });
     draw(run, all);
 }

@@ -55,13 +55,13 @@ std::string story(const TubeRuns& runs, const TubeRun& narrow_run) {
                       {"spike of P %", "wiggle_p", in_percent()},
                       {"overshoot of ρ %", "overshoot_rho", in_percent()}}};
     const std::string wide = "cubic, 1.2", narrow = "quadratic, 1";
-    for (const auto& [name, viscosity, kernel, conduction] :
-         {std::tuple{"alpha-beta", "α = 1, β = 2", wide, "none"},
-          {"signal", "signal, K = 0.5", wide, "none"},
-          {"", "signal, K = 0.5", narrow, "none"},
-          {"reconstructed-cubic", "reconstructed", wide, "at contacts"},
-          {"reconstructed", "reconstructed", narrow, "at contacts"}})
-        table.show({viscosity, kernel, conduction}, (*name == 0 ? narrow_run : run_of(runs, name)).errors());
+    for (const auto& [tube, viscosity, kernel, conduction] :
+         {std::tuple{&run_of(runs, "alpha-beta"), "α = 1, β = 2", wide, "none"},
+          {&run_of(runs, "signal"), "signal, K = 0.5", wide, "none"},
+          {&narrow_run, "signal, K = 0.5", narrow, "none"},
+          {&run_of(runs, "reconstructed-cubic"), "reconstructed", wide, "at contacts"},
+          {&run_of(runs, "reconstructed"), "reconstructed", narrow, "at contacts"}})
+        table.show({viscosity, kernel, conduction}, tube->errors());
     return table.markdown();
 }
 
@@ -106,7 +106,7 @@ void sod(report::Run& run) {
     TubeScene scene = all.scene;
     scene.n = run.quick() ? 90 : scene.n;
     scene.threads = run.threads();
-    const TubeRun narrow = run_tube(scene, combination(false, 0.5, false, false).line);
+    const TubeRun narrow = run_tube(scene, combination({}).line);
     run.fill("sod-story", story(runs, narrow));
     assert_text(run, scene, runs, narrow);
     draw(run, all.scene, runs);

@@ -1,5 +1,7 @@
 #include "chapters/04_artificial_viscosity/scenes/one_at_a_time.hpp"
 
+#include <fmt/format.h>
+
 namespace sph::shocks {
 namespace {
 
@@ -13,40 +15,53 @@ Method<d> on_kernel(Method<d> method, bool wide) {
 /// The recommended method with parts of it switched off: without slopes it is the signal viscosity, with a
 /// cap of 0 it conducts nothing.
 template <int d>
-Method<d> part_of(const Method<d>& recommended, bool slopes, double K, bool wide, bool conducts) {
-    Method<d> method = on_kernel(recommended, wide);
-    method.parameters.set("slopes", slopes ? 1 : 0);
-    method.parameters.set("K", K);
-    if (!conducts) method.parameters.set("cap", 0);
+Method<d> reduced(const Method<d>& recommended, const Parts& parts) {
+    Method<d> method = on_kernel(recommended, parts.wide);
+    method.parameters.set("slopes", parts.slopes ? 1 : 0);
+    method.parameters.set("K", parts.K);
+    if (!parts.conducts) method.parameters.set("cap", 0);
     return method;
+}
+
+std::string name_of(const std::string& viscosity, const Parts& parts) {
+    return viscosity + (parts.wide ? " wide" : " narrow") + (parts.conducts ? " conducting" : "");
+}
+
+Combination switched(bool wide) {
+    const Parts parts{.wide = wide};
+    return {name_of("morris-monaghan", parts),
+            "Morris–Monaghan",
+            "morris-monaghan",
+            parts,
+            on_kernel(tube_methods()["morris-monaghan"], wide),
+            std::nullopt};
 }
 
 }  // namespace
 
-Combination combination(bool slopes, double K, bool wide, bool conducts) {
-    const std::string viscosity = slopes     ? "reconstructed"
-                                  : K == 0.5 ? "signal, K = 0.5"
-                                             : "signal, K = 0.85";
-    const std::string name = std::string{slopes     ? "slopes"
-                                         : K == 0.5 ? "signal 0.5"
-                                                    : "signal 0.85"} +
-                             (wide ? " wide" : " narrow") + (conducts ? " conducting" : "");
-    const auto line = part_of(tube_methods().recommended(), slopes, K, wide, conducts);
-    const auto plane = part_of(plane_methods().recommended(), slopes, K, wide, conducts);
-    return {name, viscosity, wide, conducts, line, K == 0.5 ? std::optional{plane} : std::nullopt};
+Combination combination(const Parts& parts) {
+    constexpr double usual = 0.5;
+    const std::string K = fmt::format("{:g}", parts.K);
+    const std::string look = parts.slopes ? "reconstructed" : parts.K == usual ? "signal" : "narrow";
+    const std::string viscosity = parts.slopes ? "reconstructed" : "signal, K = " + K;
+    const auto line = reduced(tube_methods().recommended(), parts);
+    const auto plane = reduced(plane_methods().recommended(), parts);
+    return {name_of(parts.slopes ? "slopes" : "signal " + K, parts), viscosity, look, parts, line,
+            parts.K == usual ? std::optional{plane} : std::nullopt};
 }
 
 std::vector<Combination> combinations() {
     std::vector<Combination> all;
+    const auto add = [&](Parts parts) {
+        for (const bool conducts : {false, true}) {
+            parts.conducts = conducts;
+            all.push_back(combination(parts));
+        }
+    };
     for (const bool wide : {true, false}) {
-        for (const bool slopes : {false, true}) {
-            for (const bool conducts : {false, true}) all.push_back(combination(slopes, 0.5, wide, conducts));
-        }
-        if (!wide) {
-            for (const bool conducts : {false, true}) all.push_back(combination(false, 0.85, wide, conducts));
-        }
-        all.push_back({std::string{"morris-monaghan"} + (wide ? " wide" : " narrow"), "Morris–Monaghan", wide,
-                       false, on_kernel(tube_methods()["morris-monaghan"], wide), std::nullopt});
+        for (const bool slopes : {false, true}) add({.slopes = slopes, .wide = wide});
+        if (!wide) add({.K = 0.85, .wide = wide});
+        all.push_back(switched(wide));
     }
     return all;
 }

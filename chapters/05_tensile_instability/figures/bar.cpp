@@ -32,7 +32,7 @@ void bar(report::Run& run) {
     for (const double P : {-0.2, 0.2}) {
         plot::Panel& panel = figure.at(0, P < 0 ? 0 : 1)
                                  .titled(P < 0 ? "tension, $P$ = −0.2" : "pressure, $P$ = 0.2")
-                                 .labels("$t c$ / d$x$", "$u$ of the struck particle / (10^{−3} d$x$)");
+                                 .labels("$t c$ / d$x$", "displacement / (10^{−3} d$x$)");
         for (const BarScheme scheme : {BarScheme::sph, BarScheme::cspm}) {
             const bool is_sph = scheme == BarScheme::sph;
             scene.scheme = scheme, scene.pressure = P;
