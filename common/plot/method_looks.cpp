@@ -43,6 +43,15 @@ constexpr std::array looks{
     Look{"colagrossi", Hue::pink, Marker::square}, Look{"pairwise", Hue::violet, Marker::circle},
     Look{"stress", Hue::orange, Marker::triangle_up}, Look{"layered", Hue::indigo, Marker::square},
     Look{"layered-arithmetic", Hue::sky, Marker::diamond},
+    // chapter 7: Riemann problems between particles
+    Look{"inutsuka", Hue::violet, Marker::triangle_down}, Look{"inutsuka-linear", Hue::violet, Marker::cross},
+    Look{"inutsuka-first", Hue::indigo, Marker::triangle_up},
+    Look{"inutsuka-same-h", Hue::brown, Marker::diamond}, Look{"careful", Hue::sky, Marker::triangle_down},
+    Look{"own-width", Hue::indigo, Marker::plus}, Look{"limited", Hue::pink, Marker::cross},
+    Look{"narrow-faces", Hue::green, Marker::cross}, Look{"varying-h", Hue::brown, Marker::cross},
+    Look{"godunov", Hue::blue, Marker::circle}, Look{"two-shock", Hue::indigo, Marker::cross},
+    Look{"exact-riemann", Hue::pink, Marker::plus}, Look{"no-riemann", Hue::orange, Marker::cross},
+    Look{"total-energy", Hue::violet, Marker::plus}, Look{"conducting", Hue::gold, Marker::plus},
     // chapter 8: relativistic gas, and the slab
     Look{"chow-monaghan", Hue::orange, Marker::circle}, Look{"fixed-4", Hue::brown, Marker::triangle_up},
     Look{"fixed-10", Hue::sky, Marker::cross}, Look{"fixed-20", Hue::gold, Marker::circle},
