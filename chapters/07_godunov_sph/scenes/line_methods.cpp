@@ -1,0 +1,49 @@
+#include "chapters/07_godunov_sph/scenes/building.hpp"
+#include "chapters/07_godunov_sph/scenes/paper_methods.hpp"
+#include "common/plot/method_looks.hpp"
+
+namespace sph::godunov {
+namespace {
+
+using Narrow = ConvolvedQuadratic<1>;
+
+// [methods]
+using Limited = Godunov<VanLeer, CubicVolume, ExactRiemann, ClosingRate>;
+using VaryingH = Godunov<VanLeer, GeometricVolume, ExactRiemann, ClosingRate>;
+using Recommended = Godunov<ThirdOrder, GeometricVolume, HllcRiemann, ClosingRate>;
+// [end]
+using WithTwoShocks = Godunov<ThirdOrder, GeometricVolume, TwoShock, ClosingRate>;
+using WithExact = Godunov<ThirdOrder, GeometricVolume, ExactRiemann, ClosingRate>;
+using WithoutRiemann = Godunov<ConstantSides, GeometricVolume, NoRiemann, ClosingRate>;
+using Conducting = Godunov<ThirdOrder, GeometricVolume, HllcRiemann, ClosingRate, Conduction<ContactSpeed>>;
+
+template <class Scheme>
+Method<1> narrow(const char* name, const char* label, const Scheme& scheme) {
+    return with_own_h<Narrow>({name, label, plot::look_of(name), "quadratic", 1.0}, scheme);
+}
+Recommended of_total_energy() {
+    Recommended scheme;
+    scheme.total_energy = true;
+    return scheme;
+}
+std::vector<Method<1>> all_methods() {
+    std::vector<Method<1>> all = gaussian_methods();
+    all.push_back(narrow("narrow-faces", "and a narrow kernel", Limited{}));
+    all.push_back(narrow("varying-h", "and h that varies", VaryingH{}));
+    all.push_back(narrow("godunov", "Godunov SPH", Recommended{}));
+    all.push_back(narrow("two-shock", "the same, two shocks", WithTwoShocks{}));
+    all.push_back(narrow("exact-riemann", "the same, exact solver", WithExact{}));
+    all.push_back(narrow("conducting", "the same, conducting", Conducting{}));
+    all.push_back(narrow("no-riemann", "without a Riemann problem", WithoutRiemann{}));
+    all.push_back(narrow("total-energy", "the same, total energy", of_total_energy()));
+    return all;
+}
+
+}  // namespace
+
+const Methods<1>& line_methods() {
+    static const Methods<1> methods{"godunov", all_methods()};
+    return methods;
+}
+
+}  // namespace sph::godunov
