@@ -103,7 +103,7 @@ class ConsistentH {
 
     /// Solves h_i = h(rho_i), rho_i = sum_j m_j W_ij(h_i) by Newton's method from the h of before, and leaves
     /// neighbours that serve the forces too. Throws Unstable if it does not converge.
-    /// Cost: a search and, with a guess good to 1e-3, three passes.
+    /// Cost: a search and, with a guess good to 1e-3, three or four passes.
     template <class P, class N>
     void resolve(P& particles, N& neighbours);
 

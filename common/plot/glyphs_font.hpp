@@ -13,7 +13,7 @@ struct GlyphStyle {
     bool italic = false;  ///< by shear
     int angle = 0;        ///< 1/64 degrees, counter-clockwise
     int x = 0, y = 0;     ///< quarters of a pixel, 0..3: where in the pixel its origin lies
-    auto operator<=>(const GlyphStyle&) const = default;
+    auto operator<=>(const GlyphStyle&) const = default;  // NOLINT(modernize-use-nullptr): of its own 0
 };
 
 /// Coverage of pixels, 0..255, row by row from the top; the glyph's origin lies in pixel (-left, -top).

@@ -132,6 +132,20 @@ TEST_CASE("adding a small number to the matrix would cost the accuracy of all") 
     CHECK(miss(inverse_times<2>(M, b), slope) > 0.01);
 }
 
+TEST_CASE("an axis counts from a tenth of the full extent on") {
+    // Extents are roots of eigenvalues: 0.0102 of 0.3 is a tenth, 0.0098 is less. Fails for a bound of 0.011.
+    const auto solved = [](double share) {
+        Tensor<2> M{};
+        M[0][0] = 0.3;
+        M[1][1] = 0.3 * share;
+        return GuardedSolve{}(M, Vector<2>{0.6, 0.3 * share}, 0.3);
+    };
+    CHECK(solved(0.0102)[0] == Approx(2));
+    CHECK(solved(0.0102)[1] == Approx(1));
+    CHECK(solved(0.0098)[0] == Approx(2));
+    CHECK(std::abs(solved(0.0098)[1]) < 1e-14);
+}
+
 TEST_CASE("small systems of one, two and three unknowns") {
     Tensor<3> M{};
     const double entries[3][3] = {{4, 1, 0.5}, {1, 3, 0.2}, {0.5, 0.2, 2}};

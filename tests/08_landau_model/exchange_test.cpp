@@ -87,6 +87,24 @@ TEST_CASE("the reconstructed exchange has its size, and limits the step by the l
     CHECK(sum.step_rate[0] == Approx(-rate * enthalpy / i.h_enthalpy).epsilon(1e-12));
 }
 
+TEST_CASE("the reconstructed exchange is of the jump that both slopes leave") {
+    // Fails for another mean of the speeds of sound or of the slopes, or for another trust in them.
+    auto i = gas(0.6, 0.5, 0.4, 2.0), j = gas(-0.2, 3.0, 0.2, 3.0);
+    i.dy_dx[0] = -12, j.dy_dx[0] = -8, j.c_s = 0.2;
+    const double w = i.y - j.y, c = 0.3, slope = -9.6 * c * c / (c * c + w * w);  // -9.6 = 2 a b/(a + b)
+    const double left = w + 0.05 * slope, y = 0.5 * (i.y + j.y);
+    const double fastest = (0.6 + 0.4) / (1 + 0.6 * 0.4), slowest = (-0.2 - 0.2) / (1 + 0.2 * 0.2);
+    const double rate = 0.85 * 0.3 * (fastest - slowest) / 2.5 * r_F;
+    const double enthalpy = 0.5 * (i.h_enthalpy + j.h_enthalpy);
+    const Sum sum = exchanged(ReconstructedExchange{}, i, j);
+    CHECK(sum.dq_dt[0][0] == Approx(2 * rate * std::sinh(left / 2) * enthalpy * std::cosh(y)).epsilon(1e-12));
+    CHECK(sum.dE_dt[0] == Approx(2 * rate * std::sinh(left / 2) * enthalpy * std::sinh(y)).epsilon(1e-12));
+    CHECK(sum.step_rate[0] == Approx(-rate * left / w * enthalpy / i.h_enthalpy).epsilon(1e-12));
+    // Slopes that explain more than the jump leave none.
+    i.dy_dx[0] = j.dy_dx[0] = -1e4;
+    CHECK(exchanged(ReconstructedExchange{}, i, j).dq_dt[0][0] == 0);
+}
+
 TEST_CASE("the conduction has its size, and its cap") {
     // Fails for another mean, another power of lorentz, or a cap of the faster sound.
     const auto i = gas(0.3, 0.5, 0.4, 2.0), j = gas(0.3, 0.3, 0.4 - 1e-6, 3.0);

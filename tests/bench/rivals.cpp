@@ -21,6 +21,8 @@ struct PairTerms {
             r2 += x[a] * x[a];
         }
         inside = r2 < Kernel::support * Kernel::support * h * h;
+        // Of a pair outside nothing else is read.
+        // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject)
         if (!inside) return;
         const double r = std::sqrt(r2);
         W = Kernel::W(r, h);

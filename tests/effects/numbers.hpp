@@ -7,6 +7,8 @@
 #include "chapters/03_euler_sph/scenes/necklace.hpp"
 #include "chapters/04_artificial_viscosity/physical_viscosity.hpp"
 #include "chapters/04_artificial_viscosity/switches.hpp"
+#include "chapters/05_tensile_instability/cures.hpp"
+#include "chapters/05_tensile_instability/total_lagrangian.hpp"
 #include "chapters/08_landau_model/relativistic_dissipation.hpp"
 
 /// Random particles for tests of effects: every number where it has a meaning, and neighbours as a pass hands
@@ -15,11 +17,13 @@ namespace sph::tested {
 
 /// All that the book's effects read. One that reads more does not compile here: name the column, and below
 /// where its numbers lie.
-using AllColumns = List<Position, Velocity, MiddleVelocity, Mass, Density, Volume, Quantity, Pressure,
-                        SoundSpeed, ThermalEnergy, SmoothingLength, GradH, ViscousPressure, ViscosityAlpha,
-                        ShearFactor, ConductionAlpha, DynamicViscosity, ViscousStress, VelocityGradient,
-                        PressureGradient, Entropy, EntropyDensity, BaryonDensity, MomentumPerCharge,
-                        EnergyPerBaryon, Enthalpy, Rapidity, RapidityGradient, LabPressureGradient>;
+using AllColumns =
+    List<Position, Velocity, MiddleVelocity, Mass, Density, Volume, Quantity, Pressure, SoundSpeed,
+         ThermalEnergy, SmoothingLength, GradH, ViscousPressure, ViscosityAlpha, ShearFactor, ConductionAlpha,
+         DynamicViscosity, ViscousStress, VelocityGradient, PressureGradient, Entropy, EntropyDensity,
+         BaryonDensity, MomentumPerCharge, EnergyPerBaryon, Enthalpy, Rapidity, RapidityGradient,
+         LabPressureGradient, Stress, ArtificialStress, Displacement, ReferenceStress,
+         TransportVelocity, InverseCorrection>;
 
 /// Where the components of a column lie. Of either sign, if nothing else is said.
 struct Range {

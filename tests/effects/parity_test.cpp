@@ -108,7 +108,7 @@ void check_claims(const Subject& subject, const Mismatches& worst, Sides sides) 
 }
 
 template <int d>
-void check(const Subject& subject) {
+void check_parity(const Subject& subject) {
     const AnyEffect<d>* effect = subject.in<d>();
     if (!effect) return;
     for (const Sides sides : {Sides::same, Sides::both}) {
@@ -126,9 +126,9 @@ TEST_CASE("each effect is antisymmetric, symmetric or neither, as it is declared
     // Fails for the pressure of i in the place of that of j, a wrong sign of one of two terms, a mass too
     // few, and for a table that says what is not so.
     for (const Subject& subject : all_subjects()) {
-        check<1>(subject);
-        check<2>(subject);
-        check<3>(subject);
+        check_parity<1>(subject);
+        check_parity<2>(subject);
+        check_parity<3>(subject);
     }
 }
 

@@ -146,6 +146,8 @@ Subject of_gradients(const E& effect, std::initializer_list<Claim> claims) {
 std::vector<Subject> chapters_1_and_2();
 std::vector<Subject> chapter_3();
 std::vector<Subject> chapter_4();
+std::vector<Subject> chapter_5();
+std::vector<Subject> chapter_5_cures();
 std::vector<Subject> chapter_7();
 std::vector<Subject> chapter_8();
 const std::vector<Subject>& all_subjects();

@@ -67,7 +67,7 @@ std::vector<report::Track> race_panel(report::Run& run, plot::Panel& panel, Arra
     }
     if (d == 1 || arrangement == Arrangement::even)  // elsewhere there is no lattice
         contestants.push_back(differences<d>(run, arrangement));
-    const auto tracks = report::race(run, course, contestants);
+    auto tracks = report::race(run, course, contestants);
     report::draw_error_against_seconds(panel, tracks);
     return tracks;
 }

@@ -76,7 +76,7 @@ std::vector<report::Contestant> contestants(const Problem& problem, bool quick) 
                        slow ? many() : std::vector<std::size_t>{}});
     };
     for (const char* name : {"inutsuka", "varying-h", "godunov", "exact-riemann"}) add(line_methods()[name]);
-    for (const char* name : {"alpha-beta", "narrow", "reconstructed"}) add(shocks::tube_methods()[name]);
+    for (const char* name : {"alpha-beta", "narrow", "reconstructed"}) add(of_chapter_4(name));
     for (const shocks::Grid& grid : shocks::grids())
         all.push_back({grid.name, grid.label, grid.look,
                        [run = problem.grid, frame = grid.frame](std::size_t n) { return run(frame, n); },

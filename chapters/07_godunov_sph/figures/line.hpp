@@ -15,4 +15,11 @@ inline std::vector<Method<1>> one_at_a_time() {
         {"inutsuka", "careful", "own-width", "limited", "narrow-faces", "varying-h", "godunov"});
 }
 
+/// Chapter 4's method of that name; its recommended one, which has the look of this chapter's, open.
+inline Method<1> of_chapter_4(const std::string& name) {
+    Method<1> method = shocks::tube_methods()[name];
+    if (name == "reconstructed") method.look.filled = false, method.look.dash = plot::Dash::dashed;
+    return method;
+}
+
 }  // namespace sph::godunov

@@ -24,7 +24,7 @@ void draw(report::Run& run, const std::vector<Repaired>& all, const TubeScene& s
                            double high) {
         plot::Panel& axes = figure.at(0, column).labels("$x$", label).x_range(low, high);
         for (const Repaired& one : all) {
-            if (one.method.name != "inutsuka" && one.method.name != "varying-h" &&
+            if (one.method.name != "inutsuka" && one.method.name != "alpha-beta" &&
                 one.method.name != "godunov")
                 continue;
             axes.points(one.sod.profile.x, one.sod.profile.*quantity, plot::dots(one.method.styled(), 3.5));
@@ -59,7 +59,7 @@ void repairs(report::Run& run) {
     std::vector<Method<1>> methods = one_at_a_time();
     methods.erase(methods.begin() + 1);  // `careful`: the same as the paper's where that finishes
     methods.push_back(line_methods()["conducting"]);
-    methods.push_back(shocks::tube_methods()["reconstructed"]);
+    for (const char* name : {"reconstructed", "alpha-beta"}) methods.push_back(of_chapter_4(name));
     for (const Method<1>& method : methods) {
         const Repaired& one =
             all.emplace_back(Repaired{method, run_tube(sod, method), run_tube(blast, method)});

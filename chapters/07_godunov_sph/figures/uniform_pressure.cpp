@@ -41,7 +41,7 @@ void uniform_pressure(report::Run& run) {
     plot::Figure figure{"uniform-pressure", 1, 1};
     plot::Panel& panel = figure.at(0, 0).log_log().labels("jitter [d$x$]", "rms acceleration [$P$/(ρ d$x$)]");
     panel.curve(jitters, sph, plot::look_of("alpha-beta", "SPH"));
-    panel.curve(jitters, linear, plot::look_of("inutsuka-linear", "$V$ linear"));
+    panel.curve(jitters, linear, plot::look_of("careful", "$V$ linear"));
     panel.curve(jitters, cubic, plot::look_of("inutsuka", "$V$ cubic"));
     panel.curve(jitters, quadrature, plot::competitor("the integral, by quadrature"));
     panel.legend.outside = true;

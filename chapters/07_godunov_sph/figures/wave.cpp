@@ -25,7 +25,7 @@ void wave(report::Run& run) {
     std::vector<report::Contestant> contestants;
     for (const Method<1>& method : one_at_a_time()) contestants.push_back(contestant(run, method));
     for (const char* name : {"alpha-beta", "reconstructed"})
-        contestants.push_back(contestant(run, shocks::tube_methods()[name]));
+        contestants.push_back(contestant(run, of_chapter_4(name)));
     contestants.push_back({"grid", "grid, Eulerian", plot::competitor("grid"),
                            [](std::size_t n) { return report::Lap{shocks::grid_standing_wave(n).error}; }});
     const auto tracks = report::race(
@@ -33,8 +33,8 @@ void wave(report::Run& run) {
     plot::Figure figure{"wave", 1, 1};
     figure.panel_width = 520;
     plot::Panel& panel = figure.at(0, 0).log_log().labels("particles $N$", "relative $L$_{1} error of $v$");
-    report::draw_error_against_size(
-        panel, tracks, {"inutsuka", "varying-h", "godunov", "alpha-beta", "reconstructed", "grid"});
+    report::draw_error_against_size(panel, tracks,
+                                    {"inutsuka", "godunov", "alpha-beta", "reconstructed", "grid"});
     panel.slope(-2, 40, 120, 3e-2, "order 2");
     panel.slope(-3, 40, 120, 1.2e-4, "order 3");
     panel.legend.outside = true;

@@ -20,14 +20,21 @@ using Limited = Godunov<VanLeer, CubicVolume, ExactRiemann, ClosingRate>;
 Method<1> described(const char* name, const char* label) {
     return {name, label, plot::look_of(name), "gaussian", 1.0};
 }
+/// The paper's scheme with something else: its look with open markers.
+Method<1> variant(const char* name, const char* label) {
+    Method<1> method = described("inutsuka", label);
+    method.name = name;
+    method.look.filled = false;
+    return method;
+}
 
 }  // namespace
 
 std::vector<Method<1>> gaussian_methods() {
     return {with_smooth_h<WideCut>(described("inutsuka", "Inutsuka 2002"), as_printed<Paper>()),
-            with_smooth_h<WideCut>(described("inutsuka-linear", "Inutsuka 2002, linear"),
+            with_smooth_h<WideCut>(variant("inutsuka-linear", "Inutsuka 2002, linear"),
                                    as_printed<PaperLinear>()),
-            with_smooth_h<WideCut>(described("inutsuka-first", "Inutsuka 2002, first order"),
+            with_smooth_h<WideCut>(variant("inutsuka-first", "Inutsuka 2002, first order"),
                                    as_printed<PaperFirst>()),
             with_smooth_h<Wide>(described("careful", "with careful steps"), Careful{}),
             with_own_h<Wide>(described("own-width", "and h of its own density"), Careful{}),
@@ -35,15 +42,13 @@ std::vector<Method<1>> gaussian_methods() {
 }
 
 Method<1> same_h(double h) {
-    return solving(described("inutsuka-same-h", "Inutsuka 2002, one h"), as_printed<Paper>(),
+    return solving(variant("inutsuka-same-h", "Inutsuka 2002, one h"), as_printed<Paper>(),
                    [h](const auto&) { return SameWidth<WideCut>{h}; });
 }
 Method<1> single_precision() {
     Paper scheme = as_printed<Paper>();
     scheme.single_storage = true;
-    Method<1> method = with_smooth_h<WideCut>(described("inutsuka", "Inutsuka 2002, 24 bits"), scheme);
-    method.name = "single";
-    return method;
+    return with_smooth_h<WideCut>(variant("single", "Inutsuka 2002, 24 bits"), scheme);
 }
 
 }  // namespace sph::godunov

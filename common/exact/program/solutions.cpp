@@ -4,9 +4,12 @@ namespace exact::program {
 
 std::vector<std::unique_ptr<Solution>> solutions() {
     std::vector<std::unique_ptr<Solution>> list;
+    list.push_back(bar());
+    list.push_back(beam());
     list.push_back(burgers());
     list.push_back(landau());
     list.push_back(noh());
+    list.push_back(plate());
     list.push_back(rarefaction());
     list.push_back(relativistic_riemann());
     list.push_back(riemann());

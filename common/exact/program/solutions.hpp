@@ -6,9 +6,12 @@
 /// The solutions that there are, each defined in the file of its name.
 namespace exact::program {
 
+std::unique_ptr<Solution> bar();
+std::unique_ptr<Solution> beam();
 std::unique_ptr<Solution> burgers();
 std::unique_ptr<Solution> landau();
 std::unique_ptr<Solution> noh();
+std::unique_ptr<Solution> plate();
 std::unique_ptr<Solution> rarefaction();
 std::unique_ptr<Solution> relativistic_riemann();
 std::unique_ptr<Solution> riemann();

@@ -123,6 +123,17 @@ TEST_CASE("large systems by elimination with pivots") {
     CHECK_THROWS_AS(solve(Dense{3}, Column{1, 2, 3}), std::runtime_error);  // singular
 }
 
+TEST_CASE("a matrix gives back what was written, to those who only read too") {
+    Dense M{3};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) M(i, j) = static_cast<double>(10 * i + j);
+    }
+    const Dense& read = M;
+    CHECK(read(2, 1) == 21);  // fails for row / n
+    CHECK(read(1, 2) == 12);
+    CHECK(M.data()[5] == 12);  // row by row
+}
+
 TEST_CASE("eigenvalues of any matrix") {
     // Of (z - 2)(z^2 + 1)(z + 3), by the companion matrix: two real ones and a pair. Fails for a transposed
     // or half-read matrix.
