@@ -124,23 +124,23 @@ void GodunovGas<R, S, B>::forces(double dt) {
 /// v, x and u of particle i after the step; `moved` is 0 for one that is held.
 template <class R, class S, class B>
 void GodunovGas<R, S, B>::move(std::size_t i, double dt, double moved) {
+    const auto stored = [&](double value) {
+        return scheme_.single_storage ? static_cast<double>(static_cast<float>(value)) : value;
+    };
     auto& p = particles;
     double gained2 = 0, before2 = 0, after2 = 0, work = 0;
     for (std::size_t a = 0; a < d; ++a) {
         const double v = p.v[a][i], dv = moved * dt * p.dv_dt[a][i];
-        p.x[a][i] += dt * (v + 0.5 * dv);
-        p.v[a][i] = v + dv;
-        gained2 += dv * dv, before2 += v * v, after2 += (v + dv) * (v + dv), work += v * p.dv_dt[a][i];
+        p.x[a][i] = stored(p.x[a][i] + dt * (v + 0.5 * dv));
+        p.v[a][i] = stored(v + dv);
+        gained2 += dv * dv, before2 += v * v, after2 += p.v[a][i] * p.v[a][i], work += v * p.dv_dt[a][i];
     }
     if (scheme_.total_energy && moved > 0) {
-        p.u[i] = (0.5 * before2 + p.u[i]) + dt * (p.du_dt[i] + work) - 0.5 * after2;
+        const double e = stored(0.5 * before2 + p.u[i] + dt * (p.du_dt[i] + work));
+        p.u[i] = e - 0.5 * after2;
     } else {
-        p.u[i] += dt * p.du_dt[i] - 0.5 * gained2;
+        p.u[i] = stored(p.u[i] + dt * p.du_dt[i] - 0.5 * gained2);
     }
-    if (!scheme_.single_storage) return;
-    const auto shorten = [](double& value) { value = static_cast<float>(value); };
-    for (std::size_t a = 0; a < d; ++a) shorten(p.x[a][i]), shorten(p.v[a][i]);
-    shorten(p.u[i]);
 }
 
 /// All of them. Held ones keep their velocity: their momentum goes to given_, and their heat is that of the

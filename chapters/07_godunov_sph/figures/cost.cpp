@@ -138,6 +138,10 @@ void cost(report::Run& run) {
     run.claim("cost-wave", [&] {
         return run.checking() || seconds(wave, "alpha-beta", 0.01) > 50 * seconds(wave, "godunov", 0.01);
     });
+    run.claim("answer", [&] {
+        return run.checking() || (seconds(wave, "godunov", 0.01) < seconds(wave, "reconstructed", 0.01) &&
+                                  seconds(sod, "godunov", 0.01) > seconds(sod, "grid", 0.01));
+    });
     run.claim("cost-grid", [&] {
         return run.checking() || (seconds(sod, "godunov", 0.01) > 10 * seconds(sod, "grid", 0.01) &&
                                   seconds(wave, "godunov", 0.01) > 2 * seconds(wave, "grid", 0.01));

@@ -57,6 +57,13 @@ void wave(report::Run& run) {
         },
         report::Needs::any_run);
     run.claim(
+        "wave-orders",
+        [&] {
+            const plot::Values& error = track_of(tracks, "varying-h").error;
+            return error[1] / error[2] > 3.5 && error[1] / error[2] < 5;
+        },
+        report::Needs::any_run);
+    run.claim(
         "wave-second-order",
         [&] { return at_64("varying-h") > 20 * at_64("godunov") && at_64("inutsuka") > at_64("varying-h"); },
         report::Needs::any_run);

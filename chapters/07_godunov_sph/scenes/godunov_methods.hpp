@@ -17,4 +17,7 @@ Method<1> same_h(double h);
 /// The paper's scheme, stored with 24 bits.
 Method<1> single_precision();
 
+/// The recommended method, stored with 24 bits; `total`: what is stored is v^2/2 + u in the place of u.
+Method<1> single_precision_energy(bool total);
+
 }  // namespace sph::godunov

@@ -54,4 +54,10 @@ const Methods<1>& line_methods() {
     return methods;
 }
 
+Method<1> single_precision_energy(bool total) {
+    Recommended scheme;
+    scheme.single_storage = true, scheme.total_energy = total;
+    return variant(total ? "single-e" : "single-u", "Godunov SPH, 24 bits", scheme);
+}
+
 }  // namespace sph::godunov
