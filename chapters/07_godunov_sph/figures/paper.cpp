@@ -100,7 +100,7 @@ void iterations(report::Run& run) {
     for (const TubeScene& scene : {mach(), blast()}) {
         const double five = error_after(scene, 5), many = error_after(scene, 40);
         largest = std::max(largest, std::abs(five / many - 1));
-        run.record(scene.gamma > 1.5 ? "iterations, blast" : "iterations, mach", scene.n,
+        run.record(scene.gamma > 1.5 ? "iterations of the blast" : "iterations of the Mach tube", scene.n,
                    {{"l1_rho_5", five}, {"l1_rho_40", many}});
     }
     run.claim(
