@@ -39,9 +39,12 @@ void uniform_pressure(report::Run& run) {
         needs_integral = needs_integral && rms.cubic > 0.1 * jitter;
     }
     plot::Figure figure{"uniform-pressure", 1, 1};
+    figure.panel_width = 560;
     plot::Panel& panel = figure.at(0, 0).log_log().labels("jitter [d$x$]", "rms acceleration [$P$/(ρ d$x$)]");
     panel.curve(jitters, sph, plot::look_of("alpha-beta", "SPH"));
-    panel.curve(jitters, linear, plot::look_of("careful", "$V$ linear"));
+    plot::Style line = plot::look_of("inutsuka", "$V$ linear");
+    line.filled = false, line.dash = plot::Dash::dashed, line.marker_size = 9;
+    panel.curve(jitters, linear, line);
     panel.curve(jitters, cubic, plot::look_of("inutsuka", "$V$ cubic"));
     panel.curve(jitters, quadrature, plot::competitor("the integral, by quadrature"));
     panel.legend.outside = true;
