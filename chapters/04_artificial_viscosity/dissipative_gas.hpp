@@ -83,6 +83,21 @@ class RateLimited : public Smoothed<Simulation, Resolution, Boundary, Union<List
     /// One step of dt >= 0 from before_, which is the present state too; false if it must be shorter.
     virtual bool advance(double t, double dt) = 0;
 
+    /// sum m v of the free particles and sum m (v^2/2 + u) of all, less what the held ones have given.
+    Totals<d> thermal_totals() const {
+        const auto& p = particles;
+        Totals<d> sum = given_;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const auto v = load<d>(p, i, List<Velocity>{}).v;
+            sum.mass += p.m[i];
+            sum.energy += p.m[i] * (0.5 * dot(v, v) + p.u[i]);
+        }
+        p.groups.for_each_free(p.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                sum.momentum += p.m[i] * load<d>(p, i, List<Velocity>{}).v;
+        });
+        return sum;
+    }
     double largest_rate() const {
         return *std::max_element(particles.step_rate.begin(), particles.step_rate.end());
     }
@@ -144,21 +159,7 @@ class DissipativeGas : public RateLimited<Resolution, Boundary, dissipative_gas_
         state_.set_pressure(particles.rho, particles.u, particles.p);
         state_.set_sound_speed(particles.rho, particles.u, particles.c_s);
     }
-    /// sum m v of the free particles and sum m (v^2/2 + u) of all, less what the held ones have given.
-    Totals<d> totals() const override {
-        const auto& p = particles;
-        Totals<d> sum = this->given_;
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            const auto v = load<d>(p, i, List<Velocity>{}).v;
-            sum.mass += p.m[i];
-            sum.energy += p.m[i] * (0.5 * dot(v, v) + p.u[i]);
-        }
-        p.groups.for_each_free(p.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                sum.momentum += p.m[i] * load<d>(p, i, List<Velocity>{}).v;
-        });
-        return sum;
-    }
+    Totals<d> totals() const override { return this->thermal_totals(); }
 
   private:
     void first_rates(double t) override {

@@ -148,6 +148,7 @@ class Tile {
     friend Tile abs(const Tile& tile) { return tile.abs(); }
     friend Tile sqrt(const Tile& tile) { return tile.sqrt(); }
     friend Tile exp(const Tile& tile) { return tile.exp(); }
+    friend Tile log(const Tile& tile) { return tile.log(); }
     Tile square() const { return *this * *this; }
     Tile inverse() const { return 1.0 / *this; }
     Tile sqrt() const {
@@ -159,6 +160,9 @@ class Tile {
     }
     /// To two units of the last digit; 0 below -708, infinite above 709.43.
     Tile exp() const;
+
+    /// To two units of the last digit or, near 1, of x - 1; for normal numbers > 0.
+    Tile log() const;
 
     /// Of all lanes, in an order that does not depend on the width of a register.
     double sum() const { return tile_detail::sum(register_); }
@@ -212,6 +216,28 @@ inline Tile Tile::exp() const {
         return reinterpret_cast<Numbers>((reinterpret_cast<tile_detail::Bits>(s) + 1023) << 52);
     });
     return (*this < lowest).select(0.0, (1.0 + 2.0 * P / (Q - P)) * power);
+}
+
+/// x = 2^n m with m in [sqrt(1/2), sqrt 2), and log m = 2 artanh s = 2 (s + s^3/3 + ...), s = (m - 1)/(m +
+/// 1).
+inline Tile Tile::log() const {
+    using tile_detail::Bits;
+    constexpr long mantissa = 0xfffffffffffffL, half = 0x3fe0000000000000L, whole = 0x4330000000000000L;
+    constexpr double ln2 = 0x1.62e4p-1, ln2_rest = 0x1.7f7d1cf79abcap-20;  // in two parts, the first exact
+    Tile n = each([](const Numbers& x) {  // as the last bits of a number of 2^52 and more
+        return reinterpret_cast<Numbers>(((reinterpret_cast<Bits>(x) >> 52) & 0x7ff) | whole) -
+               (0x1p52 + 1022);
+    });
+    Tile m = each([](const Numbers& x) {
+        return reinterpret_cast<Numbers>((reinterpret_cast<Bits>(x) & mantissa) | half);
+    });
+    const Mask low = m < 0.70710678118654752;
+    n = low.select(n - 1.0, n);
+    m = low.select(2.0 * m, m);
+    const Tile s = (m - 1.0) / (m + 1.0), s2 = s * s;
+    Tile series = 1.0 / 21;
+    for (int k = 19; k > 1; k -= 2) series = series * s2 + 1.0 / k;
+    return n * ln2 + (2.0 * s + (2.0 * s * s2 * series + n * ln2_rest));
 }
 
 /// Zero in the first `used` lanes (0..8) and one in the others: a window on a constant table, one load.

@@ -55,6 +55,11 @@ constexpr std::array looks{
     Look{"xsph", Hue::violet, Marker::cross}, Look{"remesh-fit", Hue::pink, Marker::cross},
     Look{"remesh-m4", Hue::brown, Marker::cross}, Look{"frame-2", Hue::blue, Marker::diamond},
     Look{"frame-4", Hue::blue, Marker::circle},
+    // chapter 7: Riemann problems between particles
+    Look{"inutsuka", Hue::ink, Marker::triangle_down}, Look{"careful", Hue::ink, Marker::triangle_up},
+    Look{"own-width", Hue::ink, Marker::diamond}, Look{"limited", Hue::ink, Marker::square},
+    Look{"narrow-faces", Hue::ink, Marker::plus}, Look{"varying-h", Hue::blue, Marker::triangle_up},
+    Look{"godunov", Hue::blue, Marker::circle}, Look{"conducting", Hue::blue, Marker::triangle_down},
     // chapter 8: relativistic gas, and the slab
     Look{"chow-monaghan", Hue::orange, Marker::circle}, Look{"fixed-4", Hue::brown, Marker::triangle_up},
     Look{"fixed-10", Hue::sky, Marker::cross}, Look{"fixed-20", Hue::gold, Marker::circle},

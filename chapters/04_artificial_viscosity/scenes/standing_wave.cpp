@@ -30,6 +30,7 @@ StandingWaveRun run_standing_wave(const StandingWave& scene, const Method<1>& me
                       }
                       run.error = std::max(run.error, error / size);
                       run.energy_left = motion;  // sum m v^2 / (amplitude^2/2)
+                      if (scene.watch) scene.watch(*gas);
                   }).seconds;
     run.counters = gas->counters();
     return run;

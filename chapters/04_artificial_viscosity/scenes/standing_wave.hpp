@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "chapters/04_artificial_viscosity/scenes/methods.hpp"
 
 /// A standing sound wave in a periodic box of length 1, rho = 1, c_s = 1, gamma = 1.4: what a dissipation
@@ -10,6 +12,7 @@ struct StandingWave {
     double amplitude = 1e-6;  ///< of the velocity [c_s]
     double courant = 0.45;
     int threads = 1;
+    std::function<void(const Simulation<1>& gas)> watch{};  ///< called after each step
 };
 struct StandingWaveRun {
     double error = 0;        ///< largest over one period of sum |v - v_exact| / sum of its amplitude

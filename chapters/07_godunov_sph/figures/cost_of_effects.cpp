@@ -1,0 +1,12 @@
+#include "chapters/07_godunov_sph/scenes/listed.hpp"
+
+namespace sph::godunov {
+
+void cost_of_effects(report::Run& run) {
+    report::Prices prices{true};
+    for (const auto& [label, pass] : listed_passes()) prices.add(run, label, pass);
+    run.save(prices.figure("cost-of-effects", "2D, quadratic spline, $h$ = 1.2 d$x$, one core"));
+    run.fill("cost-of-effects", prices.table());
+}
+
+}  // namespace sph::godunov
