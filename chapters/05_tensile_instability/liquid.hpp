@@ -34,6 +34,19 @@ struct Uncured {
     auto effects() const { return Effects{PressureForce<>{}}; }
 };
 
+/// A resolution whose density evolves by what the cure says; a place finds its neighbours and no more.
+template <class K>
+struct EvolvedDensity : FixedH<K> {
+    using Columns = List<DensityRate>;
+    void evolve(Motion& motion, auto& particles) const {
+        motion.template evolve<Density, DensityRate>(particles);
+    }
+    template <class P, class N>
+    void resolve(P& particles, N& neighbours) const {
+        neighbours.find(particles.x, this->smoothing().reach());
+    }
+};
+
 /// Particles of a liquid whose density, smoothing and boundary the Resolution and Boundary give (gas.hpp),
 /// with a Cure.
 template <class Resolution, class Boundary, class Cure = Uncured>

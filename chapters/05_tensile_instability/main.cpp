@@ -18,6 +18,8 @@ void cures(report::Run& run);
 void cured_particles(report::Run& run);
 void balanced_strength(report::Run& run);
 void cure_cost(report::Run& run);
+void cost_of_effects(report::Run& run);
+void solid_cost(report::Run& run);
 void elastic_waves(report::Run& run);
 void wheel(report::Run& run);
 void plate(report::Run& run);
@@ -38,15 +40,17 @@ int main(int argc, char** argv) {
         .figure("modes", "single waves: the predicted and the measured growth or frequency", modes)
         .figure("pairing", "growth under pressure: pairing, Wendland's kernels against splines", pairing)
         .figure("regularisation", "disorder under pressure: does it decay, and how fast?", regularisation)
-        .figure("cures", "fifteen ways to treat tension on one scale", cures)
+        .figure("cures", "nineteen ways to treat tension on one scale", cures)
         .figure("cured-particles", "particles under tension at the end, by four methods", cured_particles)
         .figure("balanced-strength", "how strong a balanced background pressure must be", balanced_strength)
         .timed_figure("cure-cost", "what order under tension costs", cure_cost)
         .figure("elastic-waves", "P and S waves in a solid: error against N", elastic_waves)
+        .timed_figure("solid-cost", "what the accuracy of elastic waves costs, beside a grid", solid_cost)
         .figure("wheel", "a rotating elastic wheel and its angular momentum", wheel)
         .figure("plate", "a clamped plate that swings, and one that carries a load", plate)
         .figure("rings", "two rubber rings collide, with and without artificial stress", rings)
         .figure("elastic-disc", "does a relaxed disc with a radial velocity stay whole?", elastic_disc)
+        .timed_figure("cost-of-effects", "what each listed effect costs", cost_of_effects)
         .scene("lattice-growth",
                "CSV of the fastest growth for your kernel, h and pressure, on standard output",
                LatticeGrowthCommand{})

@@ -1,4 +1,6 @@
 #pragma once
+#include <limits>
+
 #include "chapters/05_tensile_instability/elasticity.hpp"
 
 /// Total Lagrangian solids: all sums go over the neighbours that a particle had at the beginning, at their
@@ -93,6 +95,27 @@ struct ReferenceForce {
     }
 };
 // [end]
+
+/// dv_i/dt = - alpha K V_i/(2 m_i) sum_j V_j W(X_ij)/X_ij^2 (delta_i + delta_j) x_ij/r_ij, where delta_i =
+/// (x_ij - F_i X_ij) . x_ij/r_ij is by how much a pair is longer than the deformation gradient of i says
+/// (Ganzenmueller 2015, 17-24): against hourglass modes, motions that no F sees. Along x_ij and opposite for
+/// i and j. DisplacementGradient holds F - 1 here, corrected. stiffness = alpha K >= 0   [pressure].
+struct HourglassForce {
+    double stiffness;
+    using Reads = List<Displacement, DisplacementGradient>;
+    using ReadsI = List<Mass, Volume>;
+    using ReadsJ = List<Volume>;
+    using Adds = List<Acceleration>;
+    void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
+        constexpr double tiny = std::numeric_limits<double>::min();  // a particle has no length to itself
+        const auto u = i.moved - j.moved;
+        const auto x = pair.x_ij + u;
+        const auto jump = 2.0 * u - times(i.H + j.H, pair.x_ij);
+        const Tile longer = dot(jump, x) / dot(x, x).max(tiny);
+        const Tile near = pair.W / dot(pair.x_ij, pair.x_ij).max(tiny);
+        sum.dv_dt -= (0.5 * stiffness * i.V / i.m * j.V * near * longer) * x;
+    }
+};
 
 /// dv_i/dt = f_i, a force by mass that the scene gives   [length/time^2].
 struct Load {

@@ -40,5 +40,5 @@ TEST_CASE("every cure runs, and leaves its merits and a profile that are the sam
         REQUIRE(run(scene + " --threads 2" + out).status == 0);
         CHECK(table(folder.path / "profile.csv") == profile);
     }
-    CHECK(methods == 15);
+    CHECK(methods == 19);
 }

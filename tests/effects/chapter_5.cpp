@@ -14,6 +14,7 @@ std::vector<Subject> chapter_5() {
         of_kernel(Xsph{.epsilon = 0.5}, {antisymmetric(mass, friction)}),
         of_kernel(DisplacementGradient{}, {slope}),
         of_kernel(ReferenceForce{}, {momentum}),
+        of_kernel(HourglassForce{.stiffness = 1}, {momentum}),
     };
 }
 

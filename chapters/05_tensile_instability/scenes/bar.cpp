@@ -11,16 +11,6 @@ namespace {
 
 using K = AnyKernel<1>;
 
-/// Density is evolved by what the cure says; a place finds its neighbours and no more.
-struct EvolvedDensity : FixedH<K> {
-    using Columns = List<DensityRate>;
-    void evolve(Motion& motion, auto& particles) const { motion.evolve<Density, DensityRate>(particles); }
-    template <class P, class N>
-    void resolve(P& particles, N& neighbours) const {
-        neighbours.find(particles.x, smoothing().reach());
-    }
-};
-
 // [cspm]
 /// d rho/dt = - rho dv/dx,  dv/dt = - (1/rho) dp/dx, both slopes by the quotient of CSPM (Chen 2017, 94).
 struct CorrectiveSlopes {
@@ -102,7 +92,7 @@ double BarRun::error() const {
 BarRun run_bar(const Bar& bar) {
     if (bar.scheme == BarScheme::sph)
         return run_with<FixedH<K>, Uncured>(bar, {bar.h_over_dx, K{bar.kernel}});
-    return run_with<EvolvedDensity, CorrectiveSlopes>(bar, {{bar.h_over_dx, K{bar.kernel}}});
+    return run_with<EvolvedDensity<K>, CorrectiveSlopes>(bar, {{bar.h_over_dx, K{bar.kernel}}});
 }
 
 }  // namespace sph::tensile

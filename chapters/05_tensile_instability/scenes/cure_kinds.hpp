@@ -41,17 +41,42 @@ struct PairCure {
     void resolved(auto& p, const auto&) const { damping.resolved(p); }
 };
 
-/// The slope of P_j - P_i, corrected.
+/// The slope of P_j - P_i, corrected; and forces beside it.
+template <class... Force>
 struct SlopeCure {
-    GentleViscosity damping;
+    PairCure<Force...> forces;
     using Columns = Union<GentleViscosity::Columns, List<Volume, Quantity, MatrixGradient<>>>;
     using Drift = Velocity;
-    auto effects() const { return Effects{SlopeForce{}, damping.effect()}; }
+    auto effects() const {
+        return std::apply(
+            [](const auto&... one) {
+                return Effects{SlopeForce{}, one...};
+            },
+            forces.effects().list);
+    }
     void resolved(auto& p, const auto& sum) const {
-        damping.resolved(p);
+        forces.resolved(p, sum);
         p.A = p.p;
         for (std::size_t i = 0; i < p.size(); ++i) p.V[i] = p.m[i] / p.rho[i];
         sum(Effects{MatrixGradient<>{}});
+    }
+};
+
+/// CSPM: the density evolves, by corrected slopes of v (the resolution is EvolvedDensity); the force is the
+/// corrected slope of P.
+struct CspmCure {
+    SlopeCure<> force;
+    using Columns = SlopeCure<>::Columns;
+    using Drift = Velocity;
+    auto effects() const { return force.effects(); }
+    void resolved(auto& p, const auto& sum) const {
+        for (std::size_t i = 0; i < p.size(); ++i) p.V[i] = p.m[i] / p.rho[i], p.drho_dt[i] = 0;
+        for (std::size_t a = 0; a < 2; ++a) {
+            p.A = p.v[a];
+            sum(Effects{MatrixGradient<>{}});
+            for (std::size_t i = 0; i < p.size(); ++i) p.drho_dt[i] -= p.rho[i] * p.matrix[a][i];
+        }
+        force.resolved(p, sum);
     }
 };
 
@@ -133,10 +158,13 @@ struct ShiftCure {
 using Around = Neighbours<2, Box<2>>;
 
 /// Total Lagrangian: forces on the neighbours of the beginning. No viscosity: it would need the present ones.
+/// Not corrected, it has a Lagrangian kernel and no more; hourglass: strength of HourglassForce, of K = 1.
 struct ReferenceCure {
     ConstantH<AnyKernel<2>> smoothing;
     Liquid state;
     std::shared_ptr<Around> around;
+    bool corrected = true;
+    double hourglass = 0;
     std::shared_ptr<sph::Columns<2>> X = std::make_shared<sph::Columns<2>>();
     using Columns = List<Volume, Displacement, CorrectionMatrix, InverseCorrection, DisplacementGradient,
                          ReferenceStress, OtherForce>;
@@ -172,7 +200,9 @@ void ReferenceCure::start(auto& p) const {
     around->find(p.x, smoothing.reach());
     for (std::size_t i = 0; i < p.size(); ++i) p.V[i] = p.m[i] / state.rho_0;
     sum_over_neighbours(p, *around, smoothing, Effects{CorrectionMatrix{}});
-    invert_corrections(p);
+    if (corrected) return invert_corrections(p);
+    for (std::size_t a = 0; a < 2; ++a)
+        for (std::size_t b = 0; b < 2; ++b) p.K[a][b].assign(p.size(), a == b ? 1 : 0);
 }
 
 void ReferenceCure::resolved(auto& p, const auto&) const {
@@ -183,6 +213,7 @@ void ReferenceCure::resolved(auto& p, const auto&) const {
     for (std::size_t i = 0; i < p.size(); ++i) {
         const auto row = load<2>(p, i, List<DisplacementGradient, InverseCorrection>{});
         Tensor<2> F = product(row.H, row.K);
+        store<2>(p, i, Row<double, 2, DisplacementGradient>{{F}});
         F[0][0] += 1, F[1][1] += 1;
         const double J = F[0][0] * F[1][1] - F[0][1] * F[1][0];
         p.rho[i] = state.rho_0 / J;
@@ -192,8 +223,11 @@ void ReferenceCure::resolved(auto& p, const auto&) const {
         for (std::size_t a = 0; a < 2; ++a)
             for (std::size_t b = 0; b < 2; ++b) p.PB[a][b][i] = -S[a][b];
     }
-    sum_over_neighbours(p, *around, smoothing,
-                        Effects{Renamed<ReferenceForce, As<Acceleration, OtherForce>>{}});
+    using Forces = Renamed<ReferenceForce, As<Acceleration, OtherForce>>;
+    if (hourglass == 0) return sum_over_neighbours(p, *around, smoothing, Effects{Forces{}});
+    sum_over_neighbours(
+        p, *around, smoothing,
+        Effects{Forces{}, Renamed<HourglassForce, As<Acceleration, OtherForce>>{{.stiffness = hourglass}}});
 }
 
 }  // namespace sph::tensile

@@ -10,14 +10,17 @@
 namespace sph::tensile {
 namespace {
 
-template <class Cure>
+template <class K>
+using Summed = FixedH<K>;
+
+template <template <class> class Resolution = Summed, class Cure>
 std::unique_ptr<Integrated<2>> liquid(const CureSetup& setup, Cure cure, double background = 0) {
     const LatticeBox& box = setup.box;
     Liquid state = box.state();
     state.P += background;
-    using One = CuredLiquid<FixedH<AnyKernel<2>>, Box<2>, Cure>;
-    auto made = std::make_unique<One>(box.size(), box.resolution(), state, setup.space(), box.threads,
-                                      std::move(cure));
+    using One = CuredLiquid<Resolution<AnyKernel<2>>, Box<2>, Cure>;
+    auto made = std::make_unique<One>(box.size(), Resolution<AnyKernel<2>>{box.resolution()}, state,
+                                      setup.space(), box.threads, std::move(cure));
     place(box, *made);
     return made;
 }
@@ -102,13 +105,38 @@ Built share(const CureMethod& method, const CureSetup& setup) {
                   pairs(method, setup, PressureOnly{}, ShareOfDifference{method.parameters.value("weight")}));
 }
 Built slope(const CureMethod& method, const CureSetup& setup) {
-    return liquid(setup, SlopeCure{viscosity(method, setup)});
+    return liquid(setup, SlopeCure<>{pairs(method, setup)});
+}
+Built slope_stress(const CureMethod& method, const CureSetup& setup) {
+    return liquid(setup, SlopeCure<ArtificialPressure>{pairs(method, setup, artificial(method, setup))});
+}
+/// Its density begins with what the sum finds, so that disorder makes the same forces at first.
+Built cspm(const CureMethod& method, const CureSetup& setup) {
+    auto made = liquid<EvolvedDensity>(setup, CspmCure{{pairs(method, setup)}});
+    const auto summed = none(method, setup);
+    summed->start(0);
+    summed->resolve(0);
+    made->get<Density>() = summed->get<Density>();
+    return made;
 }
 Built linear_exact(const CureMethod& method, const CureSetup& setup) {
     return liquid(setup, LinearExactCure{viscosity(method, setup)});
 }
+ReferenceCure on_first_places(const CureSetup& setup) {
+    return {setup.box.resolution().smoothing(), setup.box.state(), around(setup)};
+}
 Built reference(const CureMethod&, const CureSetup& setup) {
-    return liquid(setup, ReferenceCure{setup.box.resolution().smoothing(), setup.box.state(), around(setup)});
+    return liquid(setup, on_first_places(setup));
+}
+Built lagrangian_kernel(const CureMethod&, const CureSetup& setup) {
+    ReferenceCure cure = on_first_places(setup);
+    cure.corrected = false;
+    return liquid(setup, std::move(cure));
+}
+Built hourglass(const CureMethod& method, const CureSetup& setup) {
+    ReferenceCure cure = on_first_places(setup);
+    cure.hourglass = method.parameters.value("hourglass");
+    return liquid(setup, std::move(cure));
 }
 Built balanced(const CureMethod& method, const CureSetup& setup) {
     const LatticeBox& box = setup.box;
@@ -134,6 +162,11 @@ CureMethod named(std::string name, std::string label, app::Parameters parameters
 }
 app::Parameter parameter(std::string name, double value, app::Range range, std::string meaning) {
     return {std::move(name), value, range, std::move(meaning)};
+}
+app::Parameters only(const app::Parameter& one) {
+    app::Parameters all;
+    all.add(one);
+    return all;
 }
 /// A little viscosity, for all of them the same: it takes out the heat of disorder.
 app::Parameters with_alpha(std::initializer_list<app::Parameter> more, double alpha = 0.1) {
@@ -169,8 +202,14 @@ std::vector<CureMethod> listed() {
         named("difference", "share of $P$_{j} - $P$_{i}",
               with_alpha({parameter("weight", 0.9, {0, 1}, "share of the difference")}), share),
         named("corrected", "corrected slope", with_alpha({}, 0.5), slope),
+        named("corrected-stress", "corrected slope, artificial stress", with_alpha({epsilon}, 0.5),
+              slope_stress),
+        named("cspm", "CSPM", with_alpha({}, 0.5), cspm),
         named("linear-exact", "linear-exact, antisymmetric", with_alpha({}), linear_exact),
         named("reference", "total Lagrangian", {}, reference),
+        named("lagrangian-kernel", "Lagrangian kernel", {}, lagrangian_kernel),
+        named("hourglass", "total Lagrangian, hourglass control",
+              only(parameter("hourglass", 1, {0, 100}, "stiffness against hourglass modes [K]")), hourglass),
         named("background", "background pressure", with_alpha({pressure(1.25)}), background),
         named("balanced", "balanced background",
               with_alpha({pressure(1.5), parameter("width", 1.875, {1.1, 4}, "wide over narrow support")}),
