@@ -24,7 +24,7 @@ void draw_growth(plot::Panel& panel) {
                      .colour = plot::cycle(P < 0 ? 0 : 1)});
     }
     panel.band({0.5, 1.5}, {0, 0}, {1, 1}, "called unstable under tension");
-    panel.y_range(0, 1).x_range(0.5, 3);
+    panel.y_range(-0.02, 1).x_range(0.5, 3);
 }
 
 struct Count {
