@@ -26,6 +26,7 @@ void cure_cost(report::Run& run) {
     figure.panel_width = 560, figure.panel_height = 340;
     plot::Panel& panel = figure.panel().labels("CPU time of a rate, a particle [ns]", "growth [$c$/dx]");
     std::map<std::string, double> price;
+    std::vector<std::tuple<double, double, std::string>> labels;
     bool rest = false;
     // Round by round, so that what else the machine does for a while is not held against one method.
     std::map<std::string, CureRun> best;
@@ -49,9 +50,12 @@ void cure_cost(report::Run& run) {
                       .marker = plot::Marker::circle});
         rest = rest || other;
         if (other) continue;
-        panel.note(ns + 6, growth + found->second, method.label).size = 7;
+        labels.emplace_back(ns, growth + found->second, method.label);
     }
-    panel.y_range(-0.03, 0.82).x_range(150, 900);
+    double slowest = 0;
+    for (const auto& [name, ns] : price) slowest = std::max(slowest, ns);
+    for (const auto& [ns, y, label] : labels) panel.note(ns + 0.012 * slowest, y, label).size = 7;
+    panel.y_range(-0.03, 0.82).x_range(0, 1.4 * slowest);
     run.save(figure);
     run.claim("balanced-costs", [&] {
         const double plain = price["background"] / price["viscosity"];
