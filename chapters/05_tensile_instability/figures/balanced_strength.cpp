@@ -160,7 +160,9 @@ void balanced_strength(report::Run& run) {
         return std::all_of(least.begin(), least.end(), [](double one) { return one > 0.99 && one < 1.02; });
     });
     const double rest = 1 / std::sqrt(1 - scene.pressure);  // where the density has raised P to 0
-    run.claim("drop-grows", [&] { return radius["background"] > 1 && radius["background"] > rest + 0.05; });
+    run.claim("drop-grows", [&] {                           // in order: a drop that clumps spreads, too
+        return radius["background"] > 1 && radius["background"] > rest + 0.05 && distance["background"] > 0.6;
+    });
     run.fill("drop-distance", report::fixed(distance["viscosity"], 1));
     run.fill("drop-distance-balanced", report::fixed(distance["balanced"], 1));
     const CureRun wide = run_drop(scene, cure_methods()["balanced"], 1.2);
