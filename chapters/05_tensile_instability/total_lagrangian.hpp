@@ -1,6 +1,4 @@
 #pragma once
-#include <limits>
-
 #include "chapters/05_tensile_instability/elasticity.hpp"
 
 /// Total Lagrangian solids: all sums go over the neighbours that a particle had at the beginning, at their
@@ -107,7 +105,8 @@ struct HourglassForce {
     using ReadsJ = List<Volume>;
     using Adds = List<Acceleration>;
     void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
-        constexpr double tiny = std::numeric_limits<double>::min();  // a particle has no length to itself
+        // A particle has no length to itself. A square of 1e-150 is none, and divides any W without overflow.
+        constexpr double tiny = 1e-150;
         const auto u = i.moved - j.moved;
         const auto x = pair.x_ij + u;
         const auto jump = 2.0 * u - times(i.H + j.H, pair.x_ij);

@@ -22,8 +22,8 @@ using AllColumns =
          ThermalEnergy, SmoothingLength, GradH, ViscousPressure, ViscosityAlpha, ShearFactor, ConductionAlpha,
          DynamicViscosity, ViscousStress, VelocityGradient, PressureGradient, Entropy, EntropyDensity,
          BaryonDensity, MomentumPerCharge, EnergyPerBaryon, Enthalpy, Rapidity, RapidityGradient,
-         LabPressureGradient, Stress, ArtificialStress, Displacement, ReferenceStress, TransportVelocity,
-         InverseCorrection>;
+         LabPressureGradient, Stress, ArtificialStress, Displacement, DisplacementGradient, ReferenceStress,
+         TransportVelocity, InverseCorrection>;
 
 /// Where the components of a column lie. Of either sign, if nothing else is said.
 struct Range {
