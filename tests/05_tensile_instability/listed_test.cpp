@@ -31,7 +31,7 @@ TEST_CASE("an effect that is listed brings its columns, and no others") {
 }
 
 TEST_CASE("a solid holds only what its law lists") {
-    const SolidSetup setup{.n = 4};
+    const SolidSetup setup{.n = 4, .matter = {1, 0.22, 1}};
     const auto printed = make_solid(setup, solid_methods()["jaumann"]);
     CHECK(!printed->has<ArtificialStress>());
     CHECK(!printed->has<TransportVelocity>());

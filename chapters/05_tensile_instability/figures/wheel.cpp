@@ -44,8 +44,7 @@ report::Shown or_small(const report::Shown& otherwise) {
 void wheel(report::Run& run) {
     plot::Figure figure{"wheel", 1, 3};
     figure.panel_width = 330;
-    plot::Panel& change =
-        figure.at(0, 2).log_y().titled("angular momentum").labels("turns", "|ℒ/ℒ_{0} − 1|");
+    plot::Panel& change = figure.at(0, 2).log_y().titled("angular momentum").labels("turns", "|ℒ/ℒ_{0} − 1|");
     using namespace report;
     // What a run of torn matter does has few digits that another compiler would repeat.
     const Shown first = or_small(decimals(2)), later = or_small(decimals(1));
