@@ -166,14 +166,14 @@ namespace {
 /// The targets of a text's links and pictures inside the repository. What stands in a block of code is no
 /// link: the lambda "[](double) {" is not.
 std::vector<std::string> links_of(std::istream& text) {
-    const std::regex link{"\\]\\(([^)#: ]+)(#[^)]*)?\\)"};
+    const std::regex link{"\\]\\(([^)#: ]+)(#[^)]*)?\\)|<img src=\"([^\":]+)\""};
     std::vector<std::string> found;
     bool code = false;
     for (std::string line; std::getline(text, line);) {
         if (starts_with(line, "```")) code = !code;
         if (code) continue;
         for (std::sregex_iterator match{line.begin(), line.end(), link}, end; match != end; ++match)
-            found.push_back((*match)[1]);
+            found.push_back((*match)[1].matched ? (*match)[1] : (*match)[3]);
     }
     return found;
 }
@@ -199,8 +199,10 @@ TEST_CASE("links and pictures in the texts exist") {
 }
 
 TEST_CASE("the check of links reads links, and no code") {
-    std::istringstream text{"see [a](x.md#part) and ![b](y.png)\n```cpp\n[](double) { f(); }\n```\n[c](z)\n"};
-    CHECK(links_of(text) == std::vector<std::string>{"x.md", "y.png", "z"});
+    std::istringstream text{
+        "see [a](x.md#part) and ![b](y.png)\n```cpp\n[](double) { f(); }\n```\n[c](z)\n<img "
+        "src=\"w.png\">\n"};
+    CHECK(links_of(text) == std::vector<std::string>{"x.md", "y.png", "z", "w.png"});
 }
 
 namespace {
