@@ -7,7 +7,7 @@ namespace sph::consistency {
 void cost_of_schemes(report::Run& run) {
     plot::Figure figure{"cost-of-schemes"};
     plot::Panel& panel =
-        figure.panel().titled("2D, quintic spline, one core").labels("$h$/d$x$", "CPU time a point [ns]");
+        figure.panel().titled("2D, quintic spline, one core").labels("$h$/d$x$", "CPU time per point [ns]");
     panel.legend.outside = true;
     const plot::Values hs = run.quick() ? plot::Values{1, 1.2, 2} : plot::Values{1, 1.2, 1.5, 2};
     report::Table table{{"listed", "ns a point at h = 1.2 dx", "at h = 2 dx"}};
