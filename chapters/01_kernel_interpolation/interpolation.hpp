@@ -65,7 +65,7 @@ struct PlainGradient {
     }
 };
 // [gradient]
-/// grad A_i = sum_j m_j/rho_j (A_j - A_i) grad_i W_ij   (2.14, that is 2.13 with Phi = 1)
+/// grad A_i = sum_j m_j/rho_j (A_j - A_i) grad_i W_ij   (2.14)
 struct DifferenceGradient {
     static constexpr std::string_view name = "gradient of differences";
     template <class T, int d>
@@ -80,7 +80,7 @@ struct DifferenceGradient {
     }
 };
 // [end]
-/// grad A_i = 1/rho_i sum_j m_j (A_j - A_i) grad_i W_ij   (2.15, that is 2.13 with Phi = rho)
+/// grad A_i = 1/rho_i sum_j m_j (A_j - A_i) grad_i W_ij   (2.15)
 struct DensityGradient {
     static constexpr std::string_view name = "gradient weighted by mass";
     template <class T, int d>

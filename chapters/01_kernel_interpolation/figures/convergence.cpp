@@ -38,11 +38,11 @@ const Row& named(const Rows& rows, std::string_view name) {
 }
 
 void fill(report::Run& run, const Rows& rows) {
-    report::Table table{{"particles", "A: error (order)", "∇A", "∇²A"}}, all = table;
+    report::Table table{{"particles", "A: error [order]", "∇A", "∇²A"}}, all = table;
     for (const Row& row : rows) {
         std::vector<std::string> cells{row.name};
         for (std::size_t k = 0; k < 3; ++k)
-            cells.push_back(report::number(row.error[k], 2) + " (" + report::fixed(row.order[k], 1) + ")");
+            cells.push_back(report::number(row.error[k], 2) + " [" + report::fixed(row.order[k], 1) + "]");
         all.row(cells);
         if (row.name.starts_with("2D") || row.name == "1D, even" || row.name == "3D, jittered")
             table.row(cells);

@@ -174,6 +174,14 @@ void say_of_costs(report::Run& run, const std::array<Samples, 4>& samples) {
             return s.is_difference() || s.error > 1.001 * central->error || s.ns > 50 * central->ns;
         });
     });
+    run.claim("order-is-enough", [&] {
+        const Samples& disordered = samples[1];
+        const auto three_point = std::find_if(disordered.begin(), disordered.end(),
+                                              [](const Sample& s) { return s.is_difference(); });
+        return std::all_of(disordered.begin(), disordered.end(), [&](const Sample& s) {
+            return s.is_difference() || (s.error > three_point->error && s.ns > three_point->ns);
+        });
+    });
     run.claim("super-gaussian-on-even", [&] {
         const auto others = [&](const Sample& s) { return of_sums(s) && s.kernel != "super-gaussian"; };
         return smallest(plane, others) > 3 * smallest(plane, of_sums) &&

@@ -23,6 +23,10 @@ void cost_of_estimates(report::Run& run) {
     }
     run.save(figure);
     run.fill("cost-of-estimates", table.markdown());
+    run.claim("sharing-pays", [&] {
+        const auto at_2 = [&](std::size_t list) { return panel.curves[list].y[hs.size() - 2]; };
+        return at_2(2) < 0.9 * (at_2(0) + at_2(1));
+    });
 }
 
 }  // namespace sph::interpolation

@@ -27,7 +27,7 @@ plot::Style kernel_style(std::size_t index, const std::string& label, bool marke
                                 Dash::dashed,      Dash::dash_dotted, Dash::solid};
     constexpr std::array shapes{Marker::circle,  Marker::triangle_up,   Marker::square,
                                 Marker::diamond, Marker::triangle_down, Marker::plus,
-                                Marker::cross,   Marker::circle,        Marker::square};
+                                Marker::diamond, Marker::circle,        Marker::square};
     plot::Style style{.label = label, .colour = plot::cycle(index), .dash = dashes.at(index)};
     if (index >= 8) style.colour = plot::Colour{0.45, 0.45, 0.45};  // the cycle would begin anew
     if (markers) {

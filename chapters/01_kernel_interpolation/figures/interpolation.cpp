@@ -77,8 +77,8 @@ const std::array<Line, 6>& lines() {
     static const std::array<Line, 6> all{
         {{"A", "(1.3)", "l2_value", &Errors::value},
          {"dA/dx", "(1.11)", "l2_slope_plain", &Errors::plain},
-         {"dA/dx, Φ = 1", "(1.12)", "l2_slope", &Errors::gradient},
-         {"dA/dx, Φ = ρ", "(1.13)", "l2_slope_weighted", &Errors::weighted},
+         {"dA/dx, differences", "(1.12)", "l2_slope", &Errors::gradient},
+         {"dA/dx, weighed by mass", "(1.13)", "l2_slope_weighted", &Errors::weighted},
          {"d²A/dx², twice differentiated", "(1.15)", "l2_curvature_twice", &Errors::twice},
          {"d²A/dx², Brookshaw", "(1.16)", "l2_curvature", &Errors::laplacian}}};
     return all;
