@@ -38,7 +38,6 @@ std::vector<std::string> follow(report::Run& run, plot::Figure& figure, const Le
                    {{"l2_rho", last.l2_rho},
                     {"l2_value", last.l2_value},
                     {"net_force", last.net_force},
-                    {"net_force_inside", last.net_inside},
                     {"neighbours", last.neighbours}});
         if (size == shown_size) draw_profiles(figure, last, style);
     }
@@ -87,8 +86,8 @@ void smoothing_lengths(report::Run& run) {
     run.claim(
         "gathering-breaks-balance",
         [&] {
-            return finest["own-h"].net_force > 0.1 && finest["own-h"].net_inside < 0.02 &&
-                   finest["mean-h"].net_force < 1e-12 && finest["mean-kernel"].net_force < 1e-12;
+            return finest["own-h"].net_force > 0.1 && finest["mean-h"].net_force < 1e-12 &&
+                   finest["mean-kernel"].net_force < 1e-12;
         },
         needs);
 }

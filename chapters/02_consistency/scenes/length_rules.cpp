@@ -31,13 +31,12 @@ using Line = Particles<1, Position, Mass, Density, Volume, Quantity, SmoothingLe
 GradedRun measure(const Line& line, std::size_t pairs) {
     GradedRun result;
     Column rho, exact_rho, value, exact_value;
-    double net = 0, inside = 0, size = 0;
+    double net = 0, size = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
         net += line.m[i] * line.dv_dt[0][i];
         size += std::abs(line.m[i] * line.dv_dt[0][i]);
         const double x = line.x[0][i];
         if (x < 0.2 || x > 0.8) continue;  // away from the ends, which are another matter
-        inside += line.m[i] * line.dv_dt[0][i];
         result.x.push_back(x);
         result.h.push_back(line.h[i]);
         rho.push_back(line.rho[i]);
@@ -49,7 +48,6 @@ GradedRun measure(const Line& line, std::size_t pairs) {
     result.l2_rho = report::l2_error(rho, exact_rho);
     result.l2_value = report::l2_error(value, exact_value);
     result.net_force = std::abs(net) / size;
-    result.net_inside = std::abs(inside) / size;
     result.neighbours = static_cast<double>(pairs) / static_cast<double>(line.size());
     return result;
 }

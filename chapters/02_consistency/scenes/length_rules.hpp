@@ -15,7 +15,6 @@ struct GradedRun {
     Column x, rho_error, h;
     double l2_rho = 0, l2_value = 0;
     double net_force = 0;   ///< |sum of the forces on all particles| over the sum of their sizes
-    double net_inside = 0;  ///< the same sum over particles away from the ends, over the same sizes
     double neighbours = 0;  ///< a particle
 };
 
