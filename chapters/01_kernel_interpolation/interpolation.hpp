@@ -36,6 +36,7 @@ struct SummedDensity {
     void add(const auto&, const auto& j, const auto& pair, auto& sum) const { sum.rho += j.m * pair.W; }
 };
 
+// [value]
 /// A_i = sum_j m_j/rho_j A_j W_ij   (2.8)
 struct Value {
     static constexpr std::string_view name = "value";
@@ -49,6 +50,7 @@ struct Value {
         sum.value += j.V * j.A * pair.W;
     }
 };
+// [end]
 /// grad A_i = sum_j m_j/rho_j A_j grad_i W_ij   (2.11): the exact gradient of (2.8); not zero for a constant.
 struct PlainGradient {
     static constexpr std::string_view name = "plain gradient";
@@ -62,7 +64,8 @@ struct PlainGradient {
         sum.plain += (j.V * j.A * pair.F) * pair.x_ij;
     }
 };
-/// grad A_i = sum_j m_j/rho_j (A_j - A_i) grad_i W_ij   (2.14, that is 2.13 with Phi = 1)
+// [gradient]
+/// grad A_i = sum_j m_j/rho_j (A_j - A_i) grad_i W_ij   (2.14)
 struct DifferenceGradient {
     static constexpr std::string_view name = "gradient of differences";
     template <class T, int d>
@@ -76,7 +79,8 @@ struct DifferenceGradient {
         sum.gradient += (j.V * (j.A - i.A) * pair.F) * pair.x_ij;
     }
 };
-/// grad A_i = 1/rho_i sum_j m_j (A_j - A_i) grad_i W_ij   (2.15, that is 2.13 with Phi = rho)
+// [end]
+/// grad A_i = 1/rho_i sum_j m_j (A_j - A_i) grad_i W_ij   (2.15)
 struct DensityGradient {
     static constexpr std::string_view name = "gradient weighted by mass";
     template <class T, int d>
@@ -105,6 +109,7 @@ struct TwiceDifferentiated {
         sum.twice += j.V * j.A * (pair.d2W + (d - 1) * pair.F);
     }
 };
+// [laplacian]
 /// lap A_i = 2 sum_j m_j/rho_j (A_i - A_j) F_ij   (Brookshaw 1985; 2.24 with kappa = 1)
 struct Brookshaw {
     static constexpr std::string_view name = "Laplacian";
@@ -119,6 +124,7 @@ struct Brookshaw {
         sum.laplacian += 2.0 * j.V * (i.A - j.A) * pair.F;
     }
 };
+// [end]
 /// d2A_i/dx^a dx^b = sum_j m_j/rho_j ((d + 2) x_ij^a x_ij^b / r^2 - delta^ab) (A_i - A_j) F_ij   (2.31; the
 /// text after 2.34 gives 5 for the 4 in 3D, and d + 2 reproduces Brookshaw's form in 1D). The product with
 /// A_i - A_j vanishes for the particle itself, so r = 0 may be replaced by any positive r.

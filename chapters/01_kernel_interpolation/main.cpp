@@ -5,6 +5,8 @@
 #include "revision.hpp"
 
 namespace sph::interpolation {  // figures/, each in a file of its name; a Task takes options
+void support(report::Run& run);
+void two_errors(report::Run& run);
 void kernels(report::Run& run);
 void fourier(report::Run& run);
 report::Task interpolation();
@@ -26,7 +28,9 @@ int main(int argc, char** argv) {
         "sets the error?",
         source_revision};
 
-    chapter.figure("kernels", "nine kernels and their derivatives", kernels)
+    chapter.figure("support", "who is summed, and what is summed", support)
+        .figure("two-errors", "smoothing and sampling apart: errors of a wave against h/dx", two_errors)
+        .figure("kernels", "nine kernels and their derivatives", kernels)
         .figure("fourier", "their Fourier transforms against the closed forms", fourier)
         .figure("interpolation", "a test function and its derivatives, even and jittered particles",
                 interpolation())

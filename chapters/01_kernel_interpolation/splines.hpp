@@ -14,6 +14,31 @@
 /// with c.
 namespace sph {
 
+/// M_2, the hat: the bad example (Monaghan 2005, 2.5). Its slope jumps at q = 0 and at q = 1, so a gradient
+/// leaps when a particle enters the support, and neighbours that meet still push each other apart. Support h;
+/// not among the kernels that options know. Normalisation 1, 3/pi, 3/pi: by integration.
+template <int d>
+struct HatSpline : Kernel<HatSpline<d>, d> {
+    static constexpr std::string_view name = "hat";
+    static constexpr double support = 1;
+    static constexpr std::array<double, 0> joints{};
+    static constexpr double sigma = by_dimension<d>(1, 3 / pi, 3 / pi);
+
+    template <class T>
+    static constexpr T w(const T& q) {
+        return positive_part(1.0 - q);
+    }
+    /// -1/q: without a limit at q = 0, where it is cut off.
+    template <class T>
+    static constexpr T f(const T& q) {
+        return zero_beyond(1.0, q, T(-1.0 / at_least(q, 1e-9)));
+    }
+    template <class T>
+    static constexpr T d2w(const T&) {
+        return T(0.0);
+    }
+};
+
 /// M_3, the quadratic spline of the family: support 1.5h, one continuous
 /// derivative. The narrowest spline whose gradient is continuous; at h = dx its sum over an even line is
 /// exactly 1 (as that of every M_n), with three neighbours.
@@ -49,6 +74,7 @@ struct CubicSpline : Kernel<CubicSpline<d>, d> {
     static constexpr std::array joints{1.0};
     static constexpr double sigma = by_dimension<d>(1.0 / 6, 5 / (14 * pi), 1 / (4 * pi));
 
+    // [cubic]
     template <class T>
     static constexpr T w(const T& q) {
         return cube(positive_part(2.0 - q)) - 4.0 * cube(positive_part(1.0 - q));
@@ -59,6 +85,7 @@ struct CubicSpline : Kernel<CubicSpline<d>, d> {
         const T b = positive_part(1.0 - q);
         return -3.0 * square(a) / at_least(q, 1.0) + 3.0 * b * (b - 1.0);
     }
+    // [end]
     template <class T>
     static constexpr T d2w(const T& q) {
         return 6.0 * positive_part(2.0 - q) - 24.0 * positive_part(1.0 - q);

@@ -10,6 +10,7 @@
 /// matrix, which are the same thing, and V W for the linearly exact gradient.
 namespace sph {
 
+// [shepard]
 /// A_i = sum_j V_j A_j W_ij / sum_j V_j W_ij   (Shepard; CSPM: Chen 2017, 92; Ye et al. 2019, 10). Exact for
 /// constants.
 struct Shepard {
@@ -22,6 +23,7 @@ struct Shepard {
     using Writes = List<Shepard>;
     void finish(const auto&, const auto& sum, auto& out) const { out.shepard = sum.value / sum.m0; }
 };
+// [end]
 
 /// B_i = - sum_j V_j F_ij x_ij x_ij^T: the inverse of Bonet and Lok's (1999) matrix L; the unit matrix in the
 /// limit.
@@ -38,6 +40,7 @@ struct CorrectionMatrix {
     }
 };
 
+// [matrix]
 /// grad A_i = B_i^-1 sum_j V_j (A_j - A_i) grad_i W_ij: the gradient of differences (Monaghan 2005, 2.14),
 /// corrected. In 1D CSPM's quotient (Chen 2017, 94; Ye et al. 2019, 11); in d dimensions Bonet and Lok's
 /// corrected gradient.
@@ -54,6 +57,7 @@ struct MatrixGradient {
         out.matrix = Solve{}(sum.B, sum.gradient, 1.0);
     }
 };
+// [end]
 
 /// CSPM's quotient (94) taken axis by axis in d dimensions: what one writes when one reads (94) component by
 /// component. Not exact for linear functions unless B is diagonal.

@@ -9,6 +9,7 @@ namespace sph {
 
 /// M^-1 b along those axes of a symmetric M whose eigenvalue is at least `least` > 0, and nothing along the
 /// others.
+// [guarded]
 template <int d>
 Vector<d> guarded_inverse_times(const Tensor<d>& M, const Vector<d>& b, double least) {
     if (extreme_eigenvalues<d>(M)[0] >= least) return inverse_times<d>(M, b);
@@ -19,6 +20,7 @@ Vector<d> guarded_inverse_times(const Tensor<d>& M, const Vector<d>& b, double l
     }
     return g;
 }
+// [end]
 
 /// The naive way. Divides by zero where the neighbours do not determine the slope, and amplifies what they do
 /// not know where they nearly do not.

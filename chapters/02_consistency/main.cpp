@@ -4,6 +4,7 @@
 #include "revision.hpp"
 
 namespace sph::consistency {  // figures/, each in a file of its name; a Task takes options
+void edge(report::Run& run);
 report::Task moments();
 report::Task polynomials();
 void two_gaussians(report::Run& run);
@@ -25,7 +26,8 @@ int main(int argc, char** argv) {
         "what restores it?",
         source_revision};
 
-    chapter.figure("moments", "what sums make of 1, x and x^2, on disorder and at an end", moments())
+    chapter.figure("edge", "a support that an end has cut, and the constant 1 there", edge)
+        .figure("moments", "what sums make of 1, x and x^2, on disorder and at an end", moments())
         .figure("polynomials", "a constant, a line and a parabola as each scheme sees them", polynomials())
         .figure("two-gaussians", "a sum of two Gaussians on 1000 random particles", two_gaussians)
         .figure("convergence", "errors of values and slopes against N in 1D, inside", convergence())

@@ -17,6 +17,7 @@ struct ZerothMoment {
     void add(const auto&, const auto& j, const auto& pair, auto& sum) const { sum.m0 += j.V * pair.W; }
 };
 
+// [first]
 /// m1_i = sum_j V_j W_ij x_ij, which should be 0   (Chen 2017, 88; Ye et al. 2019, 19 with n = 1)
 struct FirstMoment {
     static constexpr std::string_view name = "first moment";
@@ -30,6 +31,7 @@ struct FirstMoment {
         sum.m1 += (j.V * pair.W) * pair.x_ij;
     }
 };
+// [end]
 
 /// m2_i = sum_j V_j W_ij x_ij x_ij^T   (Ye et al. 2019, 19 with n = 2): in the limit <x^2> h^2 on its
 /// diagonal, which cannot vanish for W >= 0.

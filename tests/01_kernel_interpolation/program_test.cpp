@@ -15,7 +15,7 @@ TEST_CASE("bad options are refused in one line that names them") {
     check_refused("--h-over-dx 1.2x" + out, 2, "--h-over-dx");
     check_refused("--particles 0" + out, 2, "--particles");
     check_refused("--kernel cubik" + out, 2, "cubic");
-    check_refused("--scene interpolate --dimension 3" + out, 2, "--dimension");
+    check_refused("--scene interpolate --dimension 4" + out, 2, "--dimension");
     check_refused("--seed -1" + out, 2, "--seed");
     CHECK(folder.files() == 0);
 }

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <functional>
 
 #include "chapters/01_kernel_interpolation/figures/figures.hpp"
 #include "chapters/01_kernel_interpolation/kernels.hpp"
@@ -72,7 +74,7 @@ Samples cost_panel(report::Run& run, plot::Panel& panel, const CostPanel& which)
             error.push_back(sample.error);
             samples.push_back(sample);
         }
-        panel.curve(time, error, kernel_style(index++, kernel_label(name), true));
+        panel.curve(time, error, told_style(index++, kernel_label(name), true));
     });
     add_differences(run, panel, which, n, samples);
     return samples;
@@ -84,15 +86,19 @@ std::string described(const Sample& s) {
            report::timing(s.ns) + " ns";
 }
 
-/// The sample with the fewest pairs among those that reach `error`; pairs, unlike seconds, are the same
-/// everywhere.
-std::string cheapest(const Samples& samples, double error) {
+/// The sample with the fewest pairs among those that reach `error`, or null; pairs, unlike seconds, are the
+/// same everywhere.
+const Sample* fewest_pairs(const Samples& samples, double error) {
     const Sample* best = nullptr;
     for (const Sample& s : samples) {
         if (s.is_difference() || s.error > error) continue;
         if (best == nullptr || s.pairs < best->pairs || (s.pairs == best->pairs && s.error < best->error))
             best = &s;
     }
+    return best;
+}
+std::string cheapest(const Samples& samples, double error) {
+    const Sample* best = fewest_pairs(samples, error);
     return best == nullptr ? "none" : described(*best);
 }
 
@@ -130,6 +136,61 @@ std::string answer(const std::array<Samples, 4>& samples) {
     return table.markdown();
 }
 
+/// The same for the plane alone, cell by cell.
+std::string plane_only(const std::array<Samples, 4>& samples) {
+    report::Table table{
+        {"error", "even: kernel, h/dx", "pairs", "ns", "jittered: kernel, h/dx", "pairs", "ns"}};
+    for (const double bound : {0.05, 0.025, 0.01, 0.001}) {
+        std::vector<std::string> cells{"≤ " + report::fixed(100 * bound, 1) + " %"};
+        for (const std::size_t panel : {std::size_t{2}, std::size_t{3}}) {
+            const Sample* best = fewest_pairs(samples[panel], bound);
+            if (best == nullptr) {
+                cells.insert(cells.end(), {"none", "", ""});
+                continue;
+            }
+            cells.insert(cells.end(), {kernel_label(best->kernel) + ", " + report::fixed(best->h_over_dx, 1),
+                                       report::fixed(best->pairs, 0), report::timing(best->ns)});
+        }
+        table.row(cells);
+    }
+    return table.markdown();
+}
+
+double smallest(const Samples& samples, const std::function<bool(const Sample&)>& counts) {
+    double least = 1e300;
+    for (const Sample& s : samples) {
+        if (counts(s)) least = std::min(least, s.error);
+    }
+    return least;
+}
+
+void say_of_costs(report::Run& run, const std::array<Samples, 4>& samples) {
+    const Samples &line = samples[0], &plane = samples[2], &jittered = samples[3];
+    const auto of_sums = [](const Sample& s) { return !s.is_difference(); };
+    run.claim("differences-win", [&] {
+        const auto central =
+            std::find_if(line.begin(), line.end(), [](const Sample& s) { return s.kernel == "central-2"; });
+        return std::all_of(line.begin(), line.end(), [&](const Sample& s) {
+            return s.is_difference() || s.error > 1.001 * central->error || s.ns > 50 * central->ns;
+        });
+    });
+    run.claim("order-is-enough", [&] {
+        const Samples& disordered = samples[1];
+        const auto three_point = std::find_if(disordered.begin(), disordered.end(),
+                                              [](const Sample& s) { return s.is_difference(); });
+        return std::all_of(disordered.begin(), disordered.end(), [&](const Sample& s) {
+            return s.is_difference() || (s.error > three_point->error && s.ns > three_point->ns);
+        });
+    });
+    run.claim("super-gaussian-on-even", [&] {
+        const auto others = [&](const Sample& s) { return of_sums(s) && s.kernel != "super-gaussian"; };
+        return smallest(plane, others) > 3 * smallest(plane, of_sums) &&
+               smallest(line, others) > 3 * smallest(line, of_sums);
+    });
+    run.claim("per-cents-on-jittered",
+              [&] { return smallest(jittered, of_sums) > 0.01 && smallest(jittered, of_sums) < 0.03; });
+}
+
 /// At h = dx on even points the cubic spline reaches the next neighbours only, and (2.14) is the central
 /// difference.
 void fill_identity(report::Run& run, const Samples& even) {
@@ -141,6 +202,9 @@ void fill_identity(report::Run& run, const Samples& even) {
     run.fill("cubic-at-dx", report::number(cubic.error, 9));
     run.fill("central-2", report::number(central.error, 9));
     run.fill("identity-price", report::timing(cubic.ns / central.ns));
+    run.claim(
+        "cubic-is-central", [=] { return std::abs(cubic.error - central.error) < 1e-9 * central.error; },
+        report::Needs::any_run);
 }
 
 /// What every kernel of second order can reach, over all h/dx: the smallest errors of the best and the worst
@@ -172,14 +236,16 @@ void cost(report::Run& run) {
     for (std::size_t k = 0; k < panels.size(); ++k) {
         const CostPanel& which = panels[k];
         plot::Panel& panel = figure.at(which.row, which.column).log_log().titled(which.title);
-        panel.labels("CPU time a point [ns]", which.column == 0 ? "relative $L$_{2} error of ∇$A$" : "");
+        panel.labels("CPU time per point [ns]", which.column == 0 ? "relative $L$_{2} error of ∇$A$" : "");
         panel.legend.shown = k == 1;
         panel.legend.outside = true;
         samples[k] =
             which.dimension == 1 ? cost_panel<1>(run, panel, which) : cost_panel<2>(run, panel, which);
     }
     run.save(figure);
-    run.fill("cost", answer(samples));
+    run.fill("all-cost", answer(samples));
+    run.fill("cost", plane_only(samples));
+    say_of_costs(run, samples);
     fill_identity(run, samples[0]);
     fill_limits(run, samples[3]);
 }

@@ -1,8 +1,12 @@
 #include "chapters/01_kernel_interpolation/figures/figures.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+
+#include "chapters/01_kernel_interpolation/kernels.hpp"
+#include "common/plot/method_looks.hpp"
 
 namespace sph::interpolation {
 
@@ -23,7 +27,7 @@ plot::Style kernel_style(std::size_t index, const std::string& label, bool marke
                                 Dash::dashed,      Dash::dash_dotted, Dash::solid};
     constexpr std::array shapes{Marker::circle,  Marker::triangle_up,   Marker::square,
                                 Marker::diamond, Marker::triangle_down, Marker::plus,
-                                Marker::cross,   Marker::circle,        Marker::square};
+                                Marker::diamond, Marker::circle,        Marker::square};
     plot::Style style{.label = label, .colour = plot::cycle(index), .dash = dashes.at(index)};
     if (index >= 8) style.colour = plot::Colour{0.45, 0.45, 0.45};  // the cycle would begin anew
     if (markers) {
@@ -33,6 +37,19 @@ plot::Style kernel_style(std::size_t index, const std::string& label, bool marke
         style.width = 1;
     }
     return style;
+}
+
+bool is_told(std::string_view name) {
+    constexpr std::array<std::string_view, 5> told{"gaussian", "super-gaussian", "cubic", "quintic",
+                                                   "wendland-c2"};
+    return std::find(told.begin(), told.end(), name) != told.end();
+}
+
+plot::Style told_style(std::size_t index, const std::string& label, bool markers) {
+    const auto names = kernel_names();
+    if (is_told(names.at(index))) return kernel_style(index, label, markers);
+    const auto first = std::find_if_not(names.begin(), names.end(), is_told);
+    return plot::rest(names.begin() + static_cast<std::ptrdiff_t>(index) == first ? "other kernels" : "");
 }
 
 plot::Values linear_space(double low, double high, std::size_t count) {

@@ -9,6 +9,11 @@ namespace sph::interpolation {
 
 /// Line style of a kernel, the same in every figure: `index` is its place in Kernels<d>.
 plot::Style kernel_style(std::size_t index, const std::string& label, bool markers = false);
+/// The same for the five kernels that the text speaks of; the others are thin and grey, with one entry in the
+/// legend for all.
+plot::Style told_style(std::size_t index, const std::string& label, bool markers = false);
+/// Whether the text speaks of this kernel.
+bool is_told(std::string_view name);
 /// A kernel's name as a label: "cubic spline", "Wendland C2".
 std::string kernel_label(std::string_view name);
 

@@ -39,7 +39,7 @@ void fourier(report::Run& run) {
     decay.legend.outside = true;
     std::size_t index = 0;
     for_each_kernel<1>([&](auto kernel) {
-        transform_of(run, kernel, kernel_style(index++, kernel_label(kernel.name)), linear, decay);
+        transform_of(run, kernel, told_style(index++, kernel_label(kernel.name)), linear, decay);
     });
     const double aliased = 2 * pi * 1.2;
     decay.curve({aliased, aliased}, {1e-9, 2},

@@ -60,12 +60,12 @@ void draw_row(plot::Figure& figure, int row, const Profile& e) {
     plot::Panel& right = figure.at(row, 2).labels("$x$", "d^{2}$A$/d$x$^{2}").x_range(0, 1);
     right.y_range(-300, 200);
     draw_exact(left, middle, right);
-    left.points(e.x, e.value, dots("(2.8)", 0, Marker::circle));
-    middle.points(e.x, e.plain, dots("(2.11)", 1, Marker::square, false));
-    middle.points(e.x, e.gradient, dots("(2.14)", 0, Marker::circle));
-    middle.points(e.x, e.weighted, dots("(2.15)", 2, Marker::triangle_up, false));
-    right.points(e.x, e.twice, dots("twice differentiated (2.21)", 1, Marker::square, false));
-    right.points(e.x, e.laplacian, dots("Brookshaw (2.24)", 0, Marker::circle));
+    left.points(e.x, e.value, dots("(1.3)", 0, Marker::circle));
+    middle.points(e.x, e.plain, dots("(1.11)", 1, Marker::square, false));
+    middle.points(e.x, e.gradient, dots("(1.12)", 0, Marker::circle));
+    middle.points(e.x, e.weighted, dots("(1.13)", 2, Marker::triangle_up, false));
+    right.points(e.x, e.twice, dots("(1.15)", 1, Marker::square, false));
+    right.points(e.x, e.laplacian, dots("Brookshaw (1.16)", 0, Marker::circle));
 }
 
 /// An estimate as tables and results name it.
@@ -75,12 +75,12 @@ struct Line {
 };
 const std::array<Line, 6>& lines() {
     static const std::array<Line, 6> all{
-        {{"A", "2.8", "l2_value", &Errors::value},
-         {"dA/dx", "2.11", "l2_slope_plain", &Errors::plain},
-         {"dA/dx, Φ = 1", "2.14", "l2_slope", &Errors::gradient},
-         {"dA/dx, Φ = ρ", "2.15", "l2_slope_weighted", &Errors::weighted},
-         {"d²A/dx², twice differentiated", "2.21", "l2_curvature_twice", &Errors::twice},
-         {"d²A/dx², Brookshaw", "2.24", "l2_curvature", &Errors::laplacian}}};
+        {{"A", "(1.3)", "l2_value", &Errors::value},
+         {"dA/dx", "(1.11)", "l2_slope_plain", &Errors::plain},
+         {"dA/dx, differences", "(1.12)", "l2_slope", &Errors::gradient},
+         {"dA/dx, weighed by mass", "(1.13)", "l2_slope_weighted", &Errors::weighted},
+         {"d²A/dx², twice differentiated", "(1.15)", "l2_curvature_twice", &Errors::twice},
+         {"d²A/dx², Brookshaw", "(1.16)", "l2_curvature", &Errors::laplacian}}};
     return all;
 }
 
@@ -102,6 +102,16 @@ class InterpolationFigure {
             run.result("jittered", options_.particles, line.quantity, jittered.*line.error);
         }
         run.fill("interpolation", table.markdown());
+        run.claim(
+            "constants-cost", [&] { return jittered.plain > 10 * jittered.gradient; },
+            report::Needs::any_run);
+        run.claim(
+            "volume-beats-mass", [&] { return jittered.weighted > 2 * jittered.gradient; },
+            report::Needs::any_run);
+        run.claim(
+            "even-agree",
+            [&] { return even.plain < 1.1 * even.gradient && even.weighted < 1.1 * even.gradient; },
+            report::Needs::any_run);
     }
 
   private:

@@ -10,6 +10,8 @@ std::vector<std::size_t> resolutions(bool quick, int dimension) {
     if (dimension == 1)
         return quick ? std::vector<std::size_t>{32, 64, 128, 256, 512}
                      : std::vector<std::size_t>{32, 64, 128, 256, 512, 1024, 2048, 4096};
+    if (dimension == 3)
+        return quick ? std::vector<std::size_t>{8, 12, 16} : std::vector<std::size_t>{8, 12, 16, 24, 32};
     return quick ? std::vector<std::size_t>{16, 24, 32, 48, 64}
                  : std::vector<std::size_t>{16, 24, 32, 48, 64, 96, 128, 192, 256};
 }
@@ -62,5 +64,6 @@ ErrorCurves error_curves(const ParticleSeries& series, const SmoothingOptions& o
 }
 template ErrorCurves error_curves<1>(const ParticleSeries&, const SmoothingOptions&, const report::Run&);
 template ErrorCurves error_curves<2>(const ParticleSeries&, const SmoothingOptions&, const report::Run&);
+template ErrorCurves error_curves<3>(const ParticleSeries&, const SmoothingOptions&, const report::Run&);
 
 }  // namespace sph::interpolation

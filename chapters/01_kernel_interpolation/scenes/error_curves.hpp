@@ -17,13 +17,15 @@ const std::vector<ParticleSeries>& particle_series();
 struct ErrorCurves {
     plot::Values n, value, gradient, laplacian, twice;
 };
-/// d = 1, 2. Disordered particles: root mean square over a few sets, for a smooth curve.
+/// d = 1, 2, 3. Disordered particles: root mean square over a few sets, for a smooth curve.
 template <int d>
 ErrorCurves error_curves(const ParticleSeries& series, const SmoothingOptions& options,
                          const report::Run& run);
 extern template ErrorCurves error_curves<1>(const ParticleSeries&, const SmoothingOptions&,
                                             const report::Run&);
 extern template ErrorCurves error_curves<2>(const ParticleSeries&, const SmoothingOptions&,
+                                            const report::Run&);
+extern template ErrorCurves error_curves<3>(const ParticleSeries&, const SmoothingOptions&,
                                             const report::Run&);
 
 }  // namespace sph::interpolation

@@ -12,8 +12,9 @@ namespace {
 /// One row a particle: position, interpolated and exact value, gradient along x and Laplacian.
 template <int d>
 std::string profile(const Estimates<d>& e) {
-    std::string csv = d == 1 ? "x,A,dA_dx,laplacian,exact_A,exact_dA_dx,exact_laplacian\n"
-                             : "x,y,A,dA_dx,laplacian,exact_A,exact_dA_dx,exact_laplacian\n";
+    constexpr std::string_view axes = "x,y,z,";
+    std::string csv{axes.substr(0, 2 * d)};
+    csv += "A,dA_dx,laplacian,exact_A,exact_dA_dx,exact_laplacian\n";
     for (std::size_t i = 0; i < e.x.size(); ++i) {
         const Vector<d>& x = e.x[i];
         std::vector<double> row(x.begin(), x.end());
@@ -42,7 +43,7 @@ plot::Figure figure_of(const Estimates<d>& e, const std::string& kernel) {
 
 void InterpolateCommand::declare(app::CommandLine& line) {
     options_.declare(line);
-    line.integer("dimension", dimension_, 1, 2, "of the box")
+    line.integer("dimension", dimension_, 1, 3, "of the box")
         .choice("arrangement", arrangement_, arrangement_names(), "of the particles");
 }
 
@@ -60,7 +61,12 @@ void InterpolateCommand::run_in(report::Run& run) const {
 }
 
 void InterpolateCommand::run(report::Run& run) const {
-    dimension_ == 1 ? run_in<1>(run) : run_in<2>(run);
+    constexpr long most_in_3d = 128;  // two million particles
+    if (dimension_ == 3 && options_.particles > most_in_3d)
+        throw app::UsageError{"--particles: " + std::to_string(options_.particles) +
+                              " along each side; allowed with --dimension 3: 8..128"};
+    if (dimension_ == 1) return run_in<1>(run);
+    dimension_ == 2 ? run_in<2>(run) : run_in<3>(run);
 }
 
 }  // namespace sph::interpolation

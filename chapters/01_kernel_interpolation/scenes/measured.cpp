@@ -28,9 +28,11 @@ void add(report::SquaredError& error, const Vector<d>& estimate, const Vector<d>
 
 template <int d>
 Estimates<d> estimates_at_particles(const Setting& setting) {
+    // [listed]
     auto A = interpolation_of<d, Value, PlainGradient, DifferenceGradient, DensityGradient,
                               TwiceDifferentiated, Brookshaw>(setting);
     const auto& p = A.estimate();
+    // [end]
     Estimates<d> e;
     e.value = p.value;
     e.twice = p.twice;
@@ -46,6 +48,7 @@ Estimates<d> estimates_at_particles(const Setting& setting) {
 }
 template Estimates<1> estimates_at_particles<1>(const Setting&);
 template Estimates<2> estimates_at_particles<2>(const Setting&);
+template Estimates<3> estimates_at_particles<3>(const Setting&);
 
 template <int d>
 Errors errors_of(const Estimates<d>& e) {
@@ -65,6 +68,7 @@ Errors errors_of(const Estimates<d>& e) {
 }
 template Errors errors_of<1>(const Estimates<1>&);
 template Errors errors_of<2>(const Estimates<2>&);
+template Errors errors_of<3>(const Estimates<3>&);
 
 Map interpolate_at(const Setting& setting, const Columns<2>& positions) {
     auto A = interpolation_of<2, Value>(setting);

@@ -30,11 +30,12 @@ struct Estimates {
     std::vector<Vector<d>> plain, gradient, weighted;  // (2.11), (2.14), (2.15)
     std::vector<double> twice, laplacian;              // (2.21), (2.24)
 };
-/// d = 1, 2. Throws std::invalid_argument for an unknown kernel.
+/// d = 1, 2, 3. Throws std::invalid_argument for an unknown kernel.
 template <int d>
 Estimates<d> estimates_at_particles(const Setting& setting);
 extern template Estimates<1> estimates_at_particles<1>(const Setting&);
 extern template Estimates<2> estimates_at_particles<2>(const Setting&);
+extern template Estimates<3> estimates_at_particles<3>(const Setting&);
 
 /// Relative L2 errors over all particles against the test function.
 struct Errors {
@@ -48,6 +49,7 @@ Errors errors_of(const Setting& setting) {
 }
 extern template Errors errors_of<1>(const Estimates<1>&);
 extern template Errors errors_of<2>(const Estimates<2>&);
+extern template Errors errors_of<3>(const Estimates<3>&);
 
 /// The value (2.8) at any positions in the box, and the particles it comes from.
 struct Map {

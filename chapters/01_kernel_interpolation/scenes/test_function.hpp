@@ -6,34 +6,34 @@
 /// error.
 namespace sph::interpolation {
 
-/// A = exp(sin 2 pi x) in 1D and exp(sin 2 pi x) cos 2 pi y in 2D, with derivatives; A_0 = 1, lengths in box
-/// lengths.
+/// A = exp(sin 2 pi x) in 1D, times cos 2 pi y in 2D, times cos 2 pi z in 3D, with derivatives; A_0 = 1,
+/// lengths in box lengths.
 template <int d>
 struct TestFunction {
-    static_assert(d == 1 || d == 2);
     static constexpr double k = 2 * pi;
 
-    static double value(const Vector<d>& x) { return along_x(x) * along_y(x, 0); }
+    static double value(const Vector<d>& x) { return along_x(x) * across(x); }
     static Vector<d> gradient(const Vector<d>& x) {
-        const double slope = k * std::cos(k * x[0]) * along_x(x);
-        if constexpr (d == 1) return {slope};
-        if constexpr (d == 2) return {slope * along_y(x, 0), along_x(x) * along_y(x, 1)};
+        Vector<d> slope{};
+        slope[0] = k * std::cos(k * x[0]) * value(x);
+        for (std::size_t a = 1; a < d; ++a) slope[a] = -k * std::sin(k * x[a]) * along_x(x) * across(x, a);
+        return slope;
     }
     static double laplacian(const Vector<d>& x) {
         const double c = std::cos(k * x[0]), s = std::sin(k * x[0]);
-        return k * k * (c * c - s) * along_x(x) * along_y(x, 0) + (d == 2 ? along_x(x) * along_y(x, 2) : 0.0);
+        return k * k * (c * c - s - (d - 1)) * value(x);
     }
     double operator()(const Vector<d>& x) const { return value(x); }
 
   private:
     static double along_x(const Vector<d>& x) { return std::exp(std::sin(k * x[0])); }
-    /// The `order`-th derivative of cos k y (1D: of the constant 1).
-    static double along_y(const Vector<d>& x, int order) {
-        if constexpr (d == 1) return order == 0 ? 1 : 0;
-        if constexpr (d == 2) {
-            const double y = k * x[1];
-            return order == 0 ? std::cos(y) : order == 1 ? -k * std::sin(y) : -k * k * std::cos(y);
+    /// The product of the cosines of all other axes but `without`.
+    static double across(const Vector<d>& x, std::size_t without = 0) {
+        double product = 1;
+        for (std::size_t a = 1; a < d; ++a) {
+            if (a != without) product *= std::cos(k * x[a]);
         }
+        return product;
     }
 };
 

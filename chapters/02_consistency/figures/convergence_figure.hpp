@@ -1,4 +1,8 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 #include "chapters/02_consistency/figures/figures.hpp"
 #include "chapters/02_consistency/scenes/options.hpp"
 #include "common/report/norms.hpp"
@@ -24,6 +28,9 @@ class ConvergenceFigure {
     void draw_column(report::Run& run, plot::Figure& figure, int column, const plot::Values& n,
                      const std::vector<Curves>& curves, const std::string& arrangement,
                      std::vector<std::vector<std::string>>& rows) const;
+    /// The story's table, and what the text says of orders.
+    void say(report::Run& run, const plot::Values& n,
+             const std::map<std::string, std::vector<Curves>>& of) const;
     static std::string method(const Scheme<d>& scheme, const std::string& arrangement) {
         return scheme.name + " " + std::to_string(d) + "D " + arrangement;
     }
@@ -34,11 +41,16 @@ class ConvergenceFigure {
 
 namespace convergence_detail {
 
+/// The order over the last half of the resolutions.
+inline double late_order(const plot::Values& n, const plot::Values& error) {
+    const std::size_t last = n.size() - 1, middle = last / 2;
+    return report::observed_order(n[middle], error[middle], n[last], error[last]);
+}
+
 /// The error at the highest resolution, and the order over the last half of the resolutions.
 inline std::string with_order(const plot::Values& n, const plot::Values& error) {
-    const std::size_t last = n.size() - 1, middle = last / 2;
-    return report::number(error[last], 2) + " (" +
-           report::fixed(report::observed_order(n[middle], error[middle], n[last], error[last]), 1) + ")";
+    const std::size_t last = n.size() - 1;
+    return report::number(error[last], 2) + " [" + report::fixed(late_order(n, error), 1) + "]";
 }
 
 /// Sets of particles over which errors are averaged, for a smooth curve.
@@ -132,15 +144,66 @@ void ConvergenceFigure<d>::run(report::Run& run) const {
     const plot::Values n{sizes.begin(), sizes.end()};
     std::vector<std::vector<std::string>> rows(schemes<d>().size());
     int column = 0;
+    std::map<std::string, std::vector<Curves>> all;
     for (const std::string& arrangement : arrangement_names()) {
-        const auto curves = follow(run, arrangement_named(arrangement), sizes);
+        auto curves = follow(run, arrangement_named(arrangement), sizes);
         draw_column(run, figure, column++, n, curves, arrangement, rows);
+        all.emplace(arrangement, std::move(curves));
     }
     report::Table table{
         {std::to_string(d) + "D", "even: A", "∇A", "jittered: A", "∇A", "∇A, ends too", "random: A", "∇A"}};
     for (const auto& row : rows) table.row(row);
     run.save(figure);
-    run.fill(name_, table.markdown());
+    run.fill("all-" + name_, table.markdown());
+    say(run, n, all);
+}
+
+template <int d>
+void ConvergenceFigure<d>::say(report::Run& run, const plot::Values& n,
+                               const std::map<std::string, std::vector<Curves>>& of) const {
+    const auto all = schemes<d>();
+    const auto named = [&](const std::string& arrangement, const std::string& scheme) -> const Curves& {
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const Scheme<d>& s) { return s.name == scheme; });
+        return of.at(arrangement)[static_cast<std::size_t>(found - all.begin())];
+    };
+    const auto value = [&](const char* arrangement, const char* scheme) {
+        return convergence_detail::late_order(n, named(arrangement, scheme).value);
+    };
+    const auto slope = [&](const char* arrangement, const char* scheme) {
+        return convergence_detail::late_order(n, named(arrangement, scheme).slope);
+    };
+    if constexpr (d == 1) {
+        report::Table story{{"1D", "A: even", "A: jittered", "∇A: even", "∇A: jittered"}};
+        for (const Scheme<d>& s : all) {
+            const auto cell = [&](const char* arrangement, plot::Values Curves::*error) {
+                const plot::Values& errors = named(arrangement, s.name).*error;
+                return errors.empty() || (error == &Curves::value && !s.value)
+                           ? std::string{}
+                           : convergence_detail::with_order(n, errors);
+            };
+            story.row({s.label, cell("even", &Curves::value), cell("jittered", &Curves::value),
+                       cell("even", &Curves::slope), cell("jittered", &Curves::slope)});
+        }
+        run.fill(name_, story.markdown());
+        const auto near = [](double order, double expected) { return std::abs(order - expected) < 0.2; };
+        run.claim("sph-saturates", [=] {
+            return near(value("jittered", "sph"), 0) && slope("jittered", "sph") < -0.8 &&
+                   near(slope("jittered", "differences"), 0);
+        });
+        run.claim("values-by-order",
+                  [=] { return near(value("jittered", "cspm"), 1) && near(value("jittered", "fit"), 2); });
+        run.claim("slopes-by-order", [=] {
+            for (const char* scheme : {"cspm", "linear", "fit"}) {
+                if (!near(slope("jittered", scheme), 1) || !near(slope("even", scheme), 2)) return false;
+            }
+            return true;
+        });
+    } else {
+        run.claim("trap", [=] {
+            return std::abs(slope("jittered", "by-axes")) < 0.2 && slope("jittered", "cspm") > 0.9;
+        });
+    }
 }
 
 }  // namespace sph::consistency

@@ -35,7 +35,7 @@ void nearly_collinear(report::Run& run, plot::Panel& panel) {
     panel.titled("neighbours nearly on a line, 2D").log_log();
     panel.labels("width of their band / $h$", "error of ∇$A$ (|∇$A$| = 1.4)");
     panel.curve(width, naive,
-                {.label = "naive: $M$^{−1}$b$", .colour = plot::cycle(1), .marker = plot::Marker::square});
+                {.label = "naive (2.4)", .colour = plot::cycle(1), .marker = plot::Marker::square});
     panel.curve(width, guarded, {.label = "guarded", .marker = plot::Marker::circle});
 }
 
@@ -63,6 +63,15 @@ void too_few_neighbours(report::Run& run, plot::Panel& panel) {
     run.fill("flagged", report::percent(static_cast<double>(flagged) / static_cast<double>(all)));
     run.fill("lost", std::to_string(lost));
     run.fill("of-all", std::to_string(all));
+    run.claim(
+        "repair-helps",
+        [&] {
+            for (std::size_t k = 0; k < n.size(); ++k) {
+                if (repaired[k] > guarded[k] || naive[k] < meaningless) return false;
+            }
+            return true;
+        },
+        report::Needs::any_run);
     panel.titled("random particles, 2D").log_log();
     panel.labels("particles along a side", "largest error / largest slope").y_range(1e-2, 1e13);
     panel.curve(
@@ -89,6 +98,27 @@ void hard_case(report::Run& run) {
                    shown(s.guarded, s.exact, false), shown(s.guarded_linear, s.exact, false)});
     }
     run.fill("hard-case", table.markdown());
+    const auto sets = hard_sets();
+    const auto needs = report::Needs::any_run;
+    run.claim(
+        "naive-is-meaningless",
+        [&] {
+            return std::all_of(sets.begin(), sets.end(), [](const HardSet& set) {
+                const HardSlopes s = hard_slopes(set);
+                return shown(s.naive, s.exact, true) == "meaningless" &&
+                       shown(s.naive_linear, s.exact, true) == "meaningless";
+            });
+        },
+        needs);
+    run.claim(
+        "guarded-is-bounded",
+        [&] {
+            return std::all_of(sets.begin(), sets.end(), [](const HardSet& set) {
+                const HardSlopes s = hard_slopes(set);
+                return miss(s.guarded, s.exact) < 1.415 && miss(s.guarded_linear, s.exact) < 1.415;
+            });
+        },
+        needs);
 }
 
 }  // namespace sph::consistency

@@ -138,6 +138,33 @@ void against_distance(report::Run& run, plot::Panel& panel, const std::string& k
     panel.points(s, m1, {.colour = plot::cycle(1), .marker = plot::Marker::circle, .filled = false});
 }
 
+/// rms of m0 - 1 in 1D at h = 1.2 dx.
+double rms_of_m0(const report::Run& run, double jitter, std::size_t n = 2000) {
+    ParticleSet set{.arrangement = jitter == 0 ? Arrangement::even : Arrangement::jittered,
+                    .per_side = n,
+                    .jitter = jitter,
+                    .seed = run.seed(),
+                    .volumes = Volumes::equal,
+                    .threads = run.threads()};
+    return moment_defects<1>(set).m0;
+}
+
+void say_of_disorder(report::Run& run) {
+    const auto needs = report::Needs::any_run;
+    run.claim(
+        "a-fiftieth", [&] { return rms_of_m0(run, 0.02) > 100 * rms_of_m0(run, 0); }, needs);
+    run.claim(
+        "defect-grows-with-jitter",
+        [&] {
+            const double ratio = rms_of_m0(run, 0.2) / rms_of_m0(run, 0.1);
+            return ratio > 1.8 && ratio < 2.2;
+        },
+        needs);
+    run.claim(
+        "defect-knows-no-n",
+        [&] { return std::abs(rms_of_m0(run, 0.2, 500) / rms_of_m0(run, 0.2) - 1) < 0.15; }, needs);
+}
+
 class MomentsFigure {
   public:
     void declare(app::CommandLine& line) { options_.declare(line); }
@@ -155,6 +182,7 @@ class MomentsFigure {
         run.save(figure);
         run.fill("moments", line.markdown());
         run.fill("moments-2d", plane.markdown());
+        say_of_disorder(run);
     }
 
   private:

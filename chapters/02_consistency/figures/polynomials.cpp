@@ -87,12 +87,28 @@ class PolynomialsFigure {
         run.save(figure);
         run.fill("polynomials", table.markdown());
         fill_curvature(run, shapes[2].function);
+        const auto exact = [&](const char* scheme, std::size_t column) {
+            return std::any_of(rows.begin(), rows.end(), [&](const std::vector<std::string>& row) {
+                return row[0] == scheme && row[column] == "exact";
+            });
+        };
+        run.claim(
+            "line-exact",
+            [&] {
+                return exact("CSPM", 4) && exact("linearly exact", 4) && exact("fitted line", 4) &&
+                       !exact("SPH", 4) && !exact("differences", 4);
+            },
+            report::Needs::any_run);
+        run.claim(
+            "value-exact", [&] { return exact("fitted line", 3) && exact("CSPM", 1) && !exact("CSPM", 3); },
+            report::Needs::any_run);
     }
 
   private:
     /// CSPM's second derivative of the parabola: right on even particles inside, stuck on jittered ones.
     void fill_curvature(report::Run& run, const Function<1>& parabola) const {
         report::Table table{{"particles", "largest error of A″ = 2 inside"}};
+        plot::Values jittered;
         for (const std::size_t n : {std::size_t{100}, std::size_t{1000}}) {
             for (const Arrangement arrangement : {Arrangement::even, Arrangement::jittered}) {
                 const Curvature c = cspm_curvature(options_.set(arrangement, n, run), parabola);
@@ -103,9 +119,13 @@ class PolynomialsFigure {
                 const std::string name = arrangement == Arrangement::even ? "even" : "jittered";
                 run.record("cspm parabola " + name, n, {{"linf_curvature", worst, "absolute"}});
                 table.row({std::to_string(n) + ", " + name, shown(worst, 1e-9)});
+                if (arrangement == Arrangement::jittered) jittered.push_back(worst);
             }
         }
         run.fill("curvature", table.markdown());
+        run.claim(
+            "curvature-stuck", [&] { return jittered.back() > 0.5 * jittered.front(); },
+            report::Needs::any_run);
     }
 
     ParticleSetOptions options_;

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <map>
+
 #include "chapters/02_consistency/figures/figures.hpp"
 #include "chapters/02_consistency/scenes/length_rules.hpp"
 #include "common/report/norms.hpp"
@@ -22,7 +25,8 @@ void draw_profiles(plot::Figure& figure, const GradedRun& measured, const plot::
 
 /// Runs a rule at all sizes; returns its row of the table.
 std::vector<std::string> follow(report::Run& run, plot::Figure& figure, const LengthRule& rule,
-                                std::size_t index, const std::vector<std::size_t>& sizes) {
+                                std::size_t index, const std::vector<std::size_t>& sizes,
+                                std::map<std::string, GradedRun>& finest) {
     plot::Style style = rule_style(rule, index);
     plot::Values n, rho;
     GradedRun last;
@@ -43,9 +47,10 @@ std::vector<std::string> follow(report::Run& run, plot::Figure& figure, const Le
     figure.at(0, 2).curve(n, rho, style);
     const double rate = report::observed_order(n[n.size() - 2], rho[n.size() - 2], n.back(), rho.back());
     run.record(rule.name, sizes.back(), {{"rate_l2_rho", rate}});
-    return {rule.plain, report::number(rho.back(), 2) + " (" + report::fixed(rate, 1) + ")",
+    finest[rule.name] = last;
+    return {rule.plain, report::number(rho.back(), 2) + " [" + report::fixed(rate, 1) + "]",
             report::number(last.l2_value, 2),
-            last.net_force < 1e-12 ? "0" : report::number(last.net_force, 1),
+            last.net_force < 1e-12 ? "0" : report::number(last.net_force, 2),
             report::fixed(last.neighbours, 1)};
 }
 
@@ -63,12 +68,28 @@ void smoothing_lengths(report::Run& run) {
     order.labels("particles $N$", "rel. $L$_{2} error of ρ").legend.outside = true;
     const std::vector<std::size_t> sizes = run.quick() ? std::vector<std::size_t>{100, 200, 400}
                                                        : std::vector<std::size_t>{100, 200, 400, 800, 1600};
-    report::Table table{
-        {"smoothing length", "ρ (order)", "A", "net force / sum of sizes", "neighbours a particle"}};
+    report::Table table{{"smoothing length", "ρ [order]", "A", "net force", "neighbours"}};
     std::size_t index = 0;
-    for (const LengthRule& rule : length_rules()) table.row(follow(run, figure, rule, index++, sizes));
+    std::map<std::string, GradedRun> finest;
+    for (const LengthRule& rule : length_rules())
+        table.row(follow(run, figure, rule, index++, sizes, finest));
     run.save(figure);
     run.fill("smoothing-lengths", table.markdown());
+    const auto needs = report::Needs::any_run;
+    run.claim(
+        "no-single-h", [&] { return finest["global"].l2_rho > 0.03 && finest["mean-density"].l2_rho > 0.03; },
+        needs);
+    run.claim("own-h-converges", [&] {
+        return finest["own-h"].l2_rho < 1e-4 && finest["mean-h"].l2_rho < 1e-4 &&
+               finest["mean-kernel"].l2_rho < 1e-4;
+    });
+    run.claim(
+        "gathering-breaks-balance",
+        [&] {
+            return finest["own-h"].net_force > 0.1 && finest["mean-h"].net_force < 1e-12 &&
+                   finest["mean-kernel"].net_force < 1e-12;
+        },
+        needs);
 }
 
 }  // namespace sph::consistency

@@ -1,3 +1,5 @@
+#include <map>
+
 #include "chapters/02_consistency/figures/figures.hpp"
 #include "chapters/02_consistency/scenes/jump_line.hpp"
 #include "common/plot/looks.hpp"
@@ -29,8 +31,8 @@ plot::Style jump_style(const JumpScheme& scheme) {
 
 /// One row of panels and two cells of each scheme's row: the step with the same slope on both sides, or with
 /// a kink.
-void draw_row(report::Run& run, plot::Figure& figure, bool kink,
-              std::vector<std::vector<std::string>>& rows) {
+void draw_row(report::Run& run, plot::Figure& figure, bool kink, std::vector<std::vector<std::string>>& rows,
+              std::map<std::string, JumpErrors>& finest) {
     const Function<1> function = step_function(kink);
     plot::Panel& left = figure.at(kink, 0).labels(kink ? "$x$" : "", "$A$").x_range(0.38, 0.62);
     plot::Panel& right = figure.at(kink, 1).labels(kink ? "$x$" : "", "d$A$/d$x$").x_range(0.38, 0.62);
@@ -53,6 +55,7 @@ void draw_row(report::Run& run, plot::Figure& figure, bool kink,
                 if (!kink) rows[k].push_back(scheme.label);
                 rows[k].push_back(report::number(errors.value, 2));
                 rows[k].push_back(report::number(errors.slope, 2));
+                finest[scheme.name + (kink ? " kink" : "")] = errors;
             }
         }
     }
@@ -64,12 +67,28 @@ void step(report::Run& run) {
     plot::Figure figure{"step", 2, 2};
     figure.panel_height = 240;
     std::vector<std::vector<std::string>> rows(4);
-    draw_row(run, figure, false, rows);
-    draw_row(run, figure, true, rows);
+    std::map<std::string, JumpErrors> finest;
+    draw_row(run, figure, false, rows, finest);
+    draw_row(run, figure, true, rows, finest);
     report::Table table{{"scheme", "equal slopes: A", "slope", "unequal slopes: A", "slope"}};
     for (const auto& row : rows) table.row(row);
     run.save(figure);
     run.fill("step", table.markdown());
+    const auto needs = report::Needs::any_run;
+    run.claim(
+        "cspm-at-jump", [&] { return finest["cspm"].slope > 0.8 * finest["sph"].slope; }, needs);
+    run.claim(
+        "dsph-equal-slopes", [&] { return finest["dsph"].slope < 1e-3 && finest["dsph"].value < 2e-4; },
+        needs);
+    run.claim(
+        "dsph-kink", [&] { return finest["dsph kink"].slope > 100 * finest["dsph"].slope; }, needs);
+    run.claim(
+        "one-side-enough",
+        [&] {
+            return finest["one-sided"].slope < 2 * finest["dsph"].slope &&
+                   finest["one-sided kink"].slope < 1e-3;
+        },
+        needs);
 }
 
 }  // namespace sph::consistency

@@ -15,16 +15,16 @@ struct Function {
 
 /// exp(-|x - a|^2/w^2) + 0.7 exp(-|x - b|^2/u^2), a sum of two Gaussians as in Mota, Chen & Qian 2017, fig.
 /// 1, and Chen 2017, figs 21-22, who do not give theirs: a = 0.35, w = 0.08, b = 0.65, u = 0.12 along each
-/// axis.
+/// axis. On a pedestal they do not vanish at the ends of the box, as theirs do.
 template <int d>
-Function<d> sum_of_gaussians() {
+Function<d> sum_of_gaussians(double pedestal = 0) {
     const auto bump = [](const Vector<d>& x, double centre, double width) {
         double r2 = 0;
         for (const double c : x) r2 += (c - centre) * (c - centre);
         return std::exp(-r2 / (width * width));
     };
     constexpr double a = 0.35, w = 0.08, b = 0.65, u = 0.12, weight = 0.7;
-    return {[=](const Vector<d>& x) { return bump(x, a, w) + weight * bump(x, b, u); },
+    return {[=](const Vector<d>& x) { return pedestal + bump(x, a, w) + weight * bump(x, b, u); },
             [=](const Vector<d>& x) {
                 Vector<d> slope;
                 for (std::size_t axis = 0; axis < d; ++axis) {

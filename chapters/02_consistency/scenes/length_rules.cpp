@@ -101,11 +101,11 @@ const std::vector<LengthRule>& length_rules() {
     };
     static const std::vector<LengthRule> all{
         {"global", "one $h$, mean spacing", "one h, mean spacing", mean_h(by_nothing)},
-        {"mean-density", "one $h$ (59)", "one h, mean density (59)", mean_h(by_mean_density)},
+        {"mean-density", "one $h$ (2.9)", "one h, mean density (2.9)", mean_h(by_mean_density)},
         {"own-h", "own $h_{i}$", "own h_i",
          [](std::size_t n) { return run_line(n, OwnH<K>{kernel()}, Support::gather, by_own_density); }},
-        {"mean-h", "mean $h$ (60)", "mean of both h (60)", mean_h(by_own_density)},
-        {"mean-kernel", "mean kernel (61)", "mean of both kernels (61)",
+        {"mean-h", "mean $h$ (2.10)", "mean of both h (2.10)", mean_h(by_own_density)},
+        {"mean-kernel", "mean kernel (2.11)", "mean of both kernels (2.11)",
          [](std::size_t n) { return run_mean_kernel(n, Support::symmetric); }}};
     return all;
 }

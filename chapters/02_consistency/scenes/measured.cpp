@@ -45,12 +45,12 @@ Curvature cspm_curvature(const ParticleSet& set, const Function<1>& function) {
 template <int d>
 std::vector<Scheme<d>> schemes() {
     using E = Estimated<d>;
-    std::vector<Scheme<d>> all{{"sph", "SPH", "2.8", "2.11", &E::sph, &E::plain},
-                               {"differences", "differences", "", "2.14", nullptr, &E::difference}};
-    if (d > 1) all.push_back({"by-axes", "CSPM by axes", "", "94 by axes", nullptr, &E::axis});
-    all.push_back({"cspm", "CSPM", "92", "94", &E::shepard, &E::matrix});
-    all.push_back({"linear", "linearly exact", "", "least squares", nullptr, &E::linear});
-    all.push_back({"fit", "fitted line", "90 to first order", "90 to first order", &E::fit, &E::slope});
+    std::vector<Scheme<d>> all{{"sph", "SPH", "1.3", "1.11", &E::sph, &E::plain},
+                               {"differences", "differences", "", "1.12", nullptr, &E::difference}};
+    if (d > 1) all.push_back({"by-axes", "CSPM by axes", "", "2.4 by axes", nullptr, &E::axis});
+    all.push_back({"cspm", "CSPM", "2.3", "2.4", &E::shepard, &E::matrix});
+    all.push_back({"linear", "linearly exact", "", "2.5", nullptr, &E::linear});
+    all.push_back({"fit", "fitted line", "2.6", "2.6", &E::fit, &E::slope});
     return all;
 }
 template std::vector<Scheme<1>> schemes<1>();

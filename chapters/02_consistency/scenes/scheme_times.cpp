@@ -29,9 +29,9 @@ template double slope_ns_per_point<2>(report::Run&, const std::string&, const Pa
 const std::vector<ListedSchemes>& listed_schemes() {
     static const std::vector<ListedSchemes> all{
         {"value", time_of<2, Value>},
-        {"CSPM value (92)", time_of<2, Shepard>},
-        {"slope (2.14)", time_of<2, DifferenceGradient>},
-        {"CSPM slope (94)", time_of<2, MatrixGradient<>>},
+        {"CSPM value (2.3)", time_of<2, Shepard>},
+        {"slope (1.12)", time_of<2, DifferenceGradient>},
+        {"CSPM slope (2.4)", time_of<2, MatrixGradient<>>},
         {"linearly exact slope", time_of<2, LinearGradient<>>},
         {"fitted line: value and slope", time_of<2, LinearFit<>>},
         {"CSPM value and slope", time_of<2, Shepard, MatrixGradient<>>}};
