@@ -104,6 +104,12 @@ void orders(report::Run& run) {
     const Orders one =
         draw<1>(run, figure, 0, line, run.sizes({50, 100, 200}, {50, 100, 200, 400, 800}), 1.4);
     const Orders two = draw<2>(run, figure, 1, plane, run.sizes({16, 32}, {16, 32, 64, 128}), 1.6);
+    figure.at(0, 0).slope(-3, 100, 800, 2e-4, "order 3");
+    figure.at(0, 1).slope(-2, 100, 800, 4e-4, "order 2");
+    figure.at(0, 2).slope(-1.5, 100, 800, 3e-3, "order 1.5");
+    figure.at(1, 0).slope(-3, 20, 100, 8e-4, "order 3");
+    figure.at(1, 1).slope(-2, 20, 100, 0.03, "order 2");
+    figure.at(1, 2).slope(-1.5, 20, 100, 0.06, "order 1.5");
     report::Table table{{"member", "1D: value", "slope", "curvature", "2D: value", "slope", "curvature"}};
     for (const Entry& entry : line) {
         std::vector<std::string> row{still_methods()[entry.name].label};
