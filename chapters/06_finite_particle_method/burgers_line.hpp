@@ -75,6 +75,8 @@ class Frame {
     virtual void begin_step(BurgersParticles&, double /*dt*/) {}
     /// The velocities w at the present state; `rows` are those of the present positions.
     virtual void velocities(BurgersParticles& particles, const Rows<1>& rows) const = 0;
+    /// Adds to du/dt what the equation does not have.
+    virtual void add_forces(BurgersParticles&) const {}
     /// The smoothing lengths at the present positions, where they change.
     virtual void smoothing_lengths(BurgersParticles&) const {}
 };
@@ -89,9 +91,9 @@ struct Lagrangian final : Frame {
 };
 /// Each moves with a share of its neighbours' velocity: w_i = u_i + strength (<u>_i - u_i), with the value
 /// <u> that the rows give (XSPH; Monaghan 2005, 10.2, has a plain sum).
-struct Xsph final : Frame {
+struct SmoothedVelocity final : Frame {
     double strength;
-    explicit Xsph(double share) : strength{share} {}
+    explicit SmoothedVelocity(double share) : strength{share} {}
     void velocities(BurgersParticles& p, const Rows<1>& rows) const override {
         rows.apply(0, p.v[0], Parity::odd, p.w[0]);
         for (std::size_t i = 0; i < p.size(); ++i)
@@ -142,6 +144,7 @@ class BurgersLine final : public Integrated<1> {
         frame_->velocities(particles, *rows_);
         for (std::size_t i = 0; i < particles.size(); ++i)
             particles.dv_dt[0][i] = viscosity_ * u_xx_[i] + (particles.w[0][i] - u[i]) * u_x_[i];
+        frame_->add_forces(particles);
         for (const std::size_t i : pinned_) particles.w[0][i] = particles.dv_dt[0][i] = 0;
         ++evaluations_;
     }

@@ -56,6 +56,8 @@ class Estimates {
     /// at_particles().
     const Rows<d>& at(const Columns<d>& places, std::span<const double> h);
     const Enlarged& enlarged() const { return enlarged_; }
+    /// Of the last rows: the condition number of each neighbourhood before any was enlarged.
+    const Column& conditions() const { return conditions_; }
     /// Densities sum_j m_j W_ij of the last at_particles(), where the estimator needs them.
     const Column& density() const { return rho_; }
     const Rows<d>& rows() const { return rows_; }
@@ -82,6 +84,7 @@ class Estimates {
     Coefficients<d> row_;
     Rows<d> rows_;
     Enlarged enlarged_;
+    Column conditions_;
     std::vector<std::size_t> flagged_;
     Indices scratch_;
 };

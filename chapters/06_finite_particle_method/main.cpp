@@ -6,6 +6,7 @@
 namespace sph::fpm {  // figures/, each in a file of its name
 void x_t(report::Run& run);
 void two_gaussians_figure(report::Run& run);
+void two_gaussians_end(report::Run& run);
 void orders(report::Run& run);
 void singular(report::Run& run);
 void still(report::Run& run);
@@ -24,7 +25,7 @@ int main(int argc, char** argv) {
                             "particles?",
                             source_revision};
     chapter.figure("x-t", "the world lines of the fluid, and how close they come", x_t)
-        .figure("two-gaussians", "two Gaussians on random particles, up to their end", two_gaussians_figure)
+        .figure("two-gaussians", "two Gaussians by SPH and by FPM, even and random", two_gaussians_figure)
         .figure("orders", "errors of value, slope and curvature against N", orders)
         .figure("singular", "random neighbourhoods that do not determine a fit", singular)
         .timed_figure("still", "Burgers' equation on still particles, by all methods", still)
@@ -32,6 +33,7 @@ int main(int argc, char** argv) {
         .figure("moving-ends", "moving particles with frozen, free and mirrored ends", moving_ends)
         .figure("crossing", "particles that meet, and pass through each other", crossing)
         .figure("remedies", "remeshing, and particles that move to where they are needed", remedies)
+        .figure("two-gaussians-end", "the same, near the right end", two_gaussians_end)
         .timed_figure("cost", "error against CPU time, beside differences", cost)
         .timed_figure("cost-of-estimates", "what each estimate costs a particle", cost_of_estimates)
         .scene("burgers", "Burgers' equation with your viscosity, method and ends", BurgersCommand{})

@@ -30,6 +30,11 @@ class Rows {
         for (std::size_t k = 0; k < c.size(); ++k) c_[k].push_back(sign * c[k]);
         ++rows_[writing_].end;
     }
+    /// What all of it takes in memory, on average for each row.
+    double bytes() const {
+        const std::size_t entry = sizeof(std::uint32_t) + sizeof(double) * (1 + c_.size());
+        return static_cast<double>(sizeof(Range) * size() + entry * entries()) / static_cast<double>(size());
+    }
     std::size_t entries(std::size_t i) const { return rows_[i].end - rows_[i].begin; }
 
     /// out_i = sum_j c_kij f_j.

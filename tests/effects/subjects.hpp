@@ -148,6 +148,7 @@ std::vector<Subject> chapter_3();
 std::vector<Subject> chapter_4();
 std::vector<Subject> chapter_5();
 std::vector<Subject> chapter_5_cures();
+std::vector<Subject> chapter_6();
 std::vector<Subject> chapter_7();
 std::vector<Subject> chapter_8();
 const std::vector<Subject>& all_subjects();

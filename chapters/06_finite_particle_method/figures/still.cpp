@@ -1,6 +1,7 @@
 #include <map>
 
 #include "chapters/06_finite_particle_method/scenes/line_methods.hpp"
+#include "chapters/06_finite_particle_method/scenes/turns.hpp"
 #include "common/report/norms.hpp"
 
 /// Still particles at gamma = 1: the protocol of (Ye et al. 2019, section 3), with two kinds of ends.
@@ -8,7 +9,7 @@ namespace sph::fpm {
 namespace {
 
 struct Series {
-    std::vector<double> n, relative;
+    std::vector<double> n, relative, seconds;
     double order() const { return report::fitted_order(n, relative); }
 };
 using All = std::map<std::string, Series>;
@@ -22,7 +23,9 @@ All measure(report::Run& run, const std::string& ends, const std::vector<std::st
             BurgersScene scene = still_methods()[name].on({});
             scene.n = n, scene.viscosity = 1, scene.ends = ends_named(ends);
             scene.steps = 500 * static_cast<long>(n - 1);
-            const double relative = run_burgers(scene).relative;
+            const BurgersRun line = run_burgers(scene);
+            const double relative = line.relative;
+            all[name].seconds.push_back(line.seconds);
             all[name].n.push_back(static_cast<double>(n - 1)), all[name].relative.push_back(relative);
             run.record(name + " " + ends, n, {{"relative_u", relative}});
         }
@@ -37,19 +40,9 @@ void draw(plot::Panel& panel, const All& all, const std::vector<std::string>& na
         panel.curve(all.at(name).n, all.at(name).relative, still_methods()[name].styled());
 }
 
-/// Seconds to find the rows of 161 particles and to apply them once, as particles that move must.
-double seconds_of(report::Run& run, const LineMethod& method) {
-    BurgersScene scene = method.on({});
-    scene.n = 161;
-    const auto evaluate = rates_of(scene);
-    return run.time(evaluate).best;
-}
-
 void table_of_ends(report::Run& run, const All& frozen, const All& mirror,
                    const std::vector<std::string>& names) {
     report::Table table{{"method", "P frozen, N = 21", "41", "81", "161", "order", "P mirror, 81", "order"}};
-    const double sph = run.quick() ? 1 : seconds_of(run, still_methods()["sph"]);
-    report::Table cost{{"method", "P", "time for rows and rates over that of SPH", "E"}};
     for (const std::string& name : names) {
         std::vector<std::string> row{still_methods()[name].label};
         for (std::size_t k = 0; k < 4; ++k) {
@@ -60,14 +53,49 @@ void table_of_ends(report::Run& run, const All& frozen, const All& mirror,
         row.push_back(report::number(mirror.at(name).relative.back(), 2));
         row.push_back(report::fixed(mirror.at(name).order(), 2));
         table.row(row);
-        if (run.quick() || name.starts_with("fdm")) continue;
-        const double times = seconds_of(run, still_methods()[name]) / sph;
-        const double relative = frozen.at(name).relative.back();
-        cost.row({still_methods()[name].label, report::number(relative, 2), report::timing(times),
-                  report::timing(times * relative)});
     }
     run.fill("still", table.markdown());
-    run.fill("still-efficiency", cost.markdown());
+}
+
+/// E = P t/t_SPH (Ye et al. 2019, 24) at each N, t the time to find the rows and to apply them once.
+void efficiency(report::Run& run, const All& frozen, const std::vector<std::string>& names) {
+    report::Table table{{"method", "t over that of SPH, N = 161", "E, N = 21", "41", "81", "161"}};
+    std::map<std::string, std::vector<double>> E, ratio;
+    const std::vector<double>& n = frozen.at("sph").n;
+    for (std::size_t k = 0; k < n.size(); ++k) {
+        std::vector<std::function<void()>> works;
+        for (const std::string& name : names) {
+            BurgersScene scene = still_methods()[name].on({});
+            scene.n = static_cast<std::size_t>(n[k]) + 1;
+            works.push_back(rates_of(scene));
+        }
+        const std::vector<double> seconds = timed_in_turns(run, works);
+        for (std::size_t m = 0; m < names.size(); ++m) {
+            ratio[names[m]].push_back(seconds[m] / seconds[0]);
+            E[names[m]].push_back(ratio[names[m]].back() * frozen.at(names[m]).relative[k]);
+        }
+    }
+    for (const std::string& name : names) {
+        std::vector<std::string> row{still_methods()[name].label, report::timing(ratio.at(name).back())};
+        for (const double e : E.at(name)) row.push_back(report::timing(e));
+        row.resize(6);
+        table.row(row);
+    }
+    run.fill("still-efficiency", table.markdown());
+    run.claim("efficiency", [&] {
+        bool steady = true;  // each E is less than a third of the one before, the last as the first
+        for (const char* name : {"cspm", "fpm", "sfpm"}) {
+            for (std::size_t k = 1; k < E.at(name).size(); ++k)
+                steady = steady && E.at(name)[k] < E.at(name)[k - 1] / 3;
+            steady = steady && E.at(name).back() < E.at("sph").back() / 100;
+        }
+        return run.checking() || steady;
+    });
+    run.claim("work-eats-gain", [&] {
+        const Series& one = frozen.at("sfpm");
+        const double product = one.relative.back() * one.seconds.back() / (one.relative[0] * one.seconds[0]);
+        return run.checking() || (product > 0.4 && product < 2.5);
+    });
 }
 
 void assert_text(report::Run& run, const All& frozen, const All& mirror) {
@@ -128,6 +156,7 @@ void still(report::Run& run) {
     figure.at(0, 1).slope(-4, 20, 80, 3e-4, "order 4");
     figure.at(0, 0).y_range(3e-5, 20);
     table_of_ends(run, frozen, mirror, names);
+    efficiency(run, frozen, {names.begin(), names.end() - 1});
     run.fill("still-fourth", report::number(mirror.at("sfpm-4").relative.back(), 2));
     assert_text(run, frozen, mirror);
     run.save(figure);

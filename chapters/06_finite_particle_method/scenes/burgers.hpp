@@ -7,7 +7,16 @@
 /// Burgers' equation between x = 0 and 1, u = sin(pi x) at t = 0, u = 0 at the ends, by every method.
 namespace sph::fpm {
 
-enum class Moving { still, with_u, with_smoothed_u, remeshed_by_fit, remeshed_by_sharing, to_wanted_places };
+enum class Moving {
+    still,
+    with_u,
+    with_smoothed_u,
+    shifted,
+    repelled,
+    remeshed_by_fit,
+    remeshed_by_sharing,
+    to_wanted_places
+};
 
 struct BurgersScene {
     std::size_t n = 100;      ///< particles between the ends
@@ -63,9 +72,11 @@ BurgersRun run_burgers(const BurgersScene& scene);
 /// The same, but where run_burgers() would throw Unstable, what there was until then.
 BurgersRun try_burgers(const BurgersScene& scene);
 
-/// One evaluation of the rates at the start, rows found anew as for particles that move; for differences,
-/// which have theirs, only applied.
+/// One evaluation of the rates at the start, rows found anew as for particles that move (with u, if the scene
+/// has them stand still); for differences, which have theirs, only applied.
 std::function<void()> rates_of(const BurgersScene& scene);
+/// What the rows of these rates take in memory, for each particle.
+double bytes_of_rows(const BurgersScene& scene);
 
 /// The position at time t of the fluid element that began at X: dx/dt = u, by the exact u.
 Column exact_path(double viscosity, double X, const Column& times);

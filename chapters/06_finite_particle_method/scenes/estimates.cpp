@@ -95,8 +95,9 @@ const Rows<d>& Estimates<d>::fit(const Columns<d>& places, std::span<const doubl
     const std::size_t n = places[0].size();
     rows_.reset(n);
     flagged_.clear();
+    conditions_.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
-        const double condition = take_row(i, i, h[h.size() == 1 ? 0 : i], own);
+        const double condition = conditions_[i] = take_row(i, i, h[h.size() == 1 ? 0 : i], own);
         if (!(condition <= largest_condition))
             flagged_.push_back(i);
         else

@@ -39,15 +39,27 @@ double two_gaussians(const Vector<d>& x, std::size_t k) {
     return bump(0.2, 0.2) + 0.7 * bump(0.9, 0.1);
 }
 
-/// sin(2 pi (x + 2 y + 3 z)/d + 0.3)
+/// sin(2 pi n (x + 2 y + 3 z)/d + 0.3), n = `waves` > 0.
 template <int d>
-double plane_wave(const Vector<d>& x, std::size_t k) {
-    const auto wave_number = [](std::size_t a) { return 2 * pi * static_cast<double>(a + 1) / d; };
+double wave_with(double waves, const Vector<d>& x, std::size_t k) {
+    const auto wave_number = [waves](std::size_t a) {
+        return 2 * pi * waves * static_cast<double>(a + 1) / d;
+    };
     double phase = 0.3;
     for (std::size_t a = 0; a < d; ++a) phase += wave_number(a) * x[a];
     double factor = 1;
     for (const std::size_t a : axes_of_term<d>(k)) factor *= wave_number(a), phase += pi / 2;
     return factor * std::sin(phase);
+}
+
+template <int d>
+Smooth<d> wave_of(double waves) {
+    return [waves](const Vector<d>& x, std::size_t k) { return wave_with<d>(waves, x, k); };
+}
+/// That with n = 1.
+template <int d>
+double plane_wave(const Vector<d>& x, std::size_t k) {
+    return wave_with<d>(1, x, k);
 }
 
 /// A polynomial of second degree with all its terms: sum_k x^k/(1 + k).

@@ -8,16 +8,31 @@
 namespace sph::fpm {
 
 template <int d>
-double Interpolated<d>::error(int degree, consistency::Where where) const {
+template <class Counts>
+double Interpolated<d>::error_of(int degree, Counts&& counts) const {
     double off = 0, size = 0;
     for (std::size_t k = 0; k < derivatives<d>; ++k) {
         if (Taylor<d, 2>::terms[k].degree != degree) continue;
         for (std::size_t i = 0; i < inside.size(); ++i) {
-            if (where == consistency::Where::inside && !inside[i]) continue;
+            if (!counts(i)) continue;
             off += square(estimated[k][i] - exact[k][i]), size += square(exact[k][i]);
         }
     }
     return std::sqrt(off / size);
+}
+
+template <int d>
+double Interpolated<d>::error(int degree, consistency::Where where) const {
+    return error_of(degree,
+                    [&](std::size_t i) { return inside[i] || where == consistency::Where::everywhere; });
+}
+
+template <int d>
+double Interpolated<d>::error_within(double margin) const {
+    return error_of(1, [&](std::size_t i) {
+        return std::all_of(x.begin(), x.end(),
+                           [&](const Column& c) { return c[i] > margin && c[i] < 1 - margin; });
+    });
 }
 
 template <int d>
@@ -42,6 +57,7 @@ Interpolated<d> interpolate(const ParticleSet& set, const Smooth<d>& function, c
     if (d == 1 && !estimates.estimator().has_second())
         rows.apply(1, result.estimated[1], Parity::even, result.estimated[2]);
     result.enlarged = estimates.enlarged();
+    result.condition = estimates.conditions();
     result.entries = rows.entries();
     return result;
 }
@@ -52,6 +68,13 @@ template struct Interpolated<3>;
 template Interpolated<1> interpolate<1>(const ParticleSet&, const Smooth<1>&, const Choice&);
 template Interpolated<2> interpolate<2>(const ParticleSet&, const Smooth<2>&, const Choice&);
 template Interpolated<3> interpolate<3>(const ParticleSet&, const Smooth<3>&, const Choice&);
+
+ParticleSet thousand(Arrangement arrangement) {
+    ParticleSet set;
+    set.arrangement = arrangement, set.per_side = 1000;
+    set.h_over_dx = 2, set.jitter = 0.3;
+    return set;
+}
 
 Neighbourhoods random_neighbourhoods(std::size_t sets, std::size_t n, double h_over_dx, const Choice& choice,
                                      const std::string& kernel, unsigned long seed) {

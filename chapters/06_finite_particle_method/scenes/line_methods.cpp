@@ -60,6 +60,8 @@ const report::Methods<LineMethod>& moving_methods() {
         "frame-4", [] {
             auto all = family(Moving::with_u);
             all.push_back(of_family("xsph", "XSPH", "sfpm", 2, Moving::with_smoothed_u));
+            all.push_back({"shifting", "shifting", plot::rest(""), "sfpm", 2, Moving::shifted});
+            all.push_back({"repulsion", "repulsion", plot::rest(""), "sfpm", 2, Moving::repelled});
             all.push_back(of_family("remesh-fit", "remeshed by MLS", "sfpm", 2, Moving::remeshed_by_fit));
             all.push_back(of_family("remesh-m4", "remeshed by M4′", "sfpm", 2, Moving::remeshed_by_sharing));
             all.push_back(of_family("frame-2", "moving frame, order 2", "mls", 2, Moving::to_wanted_places));
