@@ -62,7 +62,7 @@ void cost_of_estimates(report::Run& run) {
         return 0.0;
     };
     run.claim("rows-are-the-price", [&] {
-        return run.checking() || (of("sfpm") > 5 * of("fdm-4") && of("fpm") < 2.5 * of("sph"));
+        return run.checking() || (of("sfpm") > 20 * of("fdm-4") && of("fpm") < 2.5 * of("sph"));
     });
     run.claim("beside-sfpm", [&] {
         return run.checking() || (of("xsph") < of("shifting") && of("shifting") > 1.1 * of("sfpm") &&
