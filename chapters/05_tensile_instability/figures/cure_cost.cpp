@@ -24,7 +24,7 @@ void cure_cost(report::Run& run) {
     scene.time = 10;  // the price of a rate is known soon
     plot::Figure figure{"cure-cost"};
     figure.panel_width = 560, figure.panel_height = 340;
-    plot::Panel& panel = figure.panel().labels("CPU time of a rate, a particle [ns]", "growth [$c$/dx]");
+    plot::Panel& panel = figure.panel().labels("CPU time of a rate per particle [ns]", "growth [$c$/dx]");
     std::map<std::string, double> price;
     std::vector<std::tuple<double, double, std::string>> labels;
     bool rest = false;
@@ -44,10 +44,12 @@ void cure_cost(report::Run& run) {
         const double ns = price[method.name] = best[method.name].nanoseconds();
         const auto found = named.find(method.name);
         const bool other = found == named.end();
+        const bool holds = method.name == "background" || method.name == "balanced";  // claim cures-two-hold
         panel.points({ns}, {growth},
                      {.label = other && !rest ? "the others" : "",
-                      .colour = other ? plot::rest().colour : plot::cycle(0),
-                      .marker = plot::Marker::circle});
+                      .colour = other ? plot::rest().colour : plot::cycle(holds ? 0 : 1),
+                      .marker = holds ? plot::Marker::circle : plot::Marker::cross,
+                      .marker_size = 6});
         rest = rest || other;
         if (other) continue;
         labels.emplace_back(ns, growth + found->second, method.label);

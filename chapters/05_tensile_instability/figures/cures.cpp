@@ -78,12 +78,12 @@ const std::map<std::string, Label> labels{{"none", {5.6, 0.755}},
                                           {"difference", {3.45, 0.145}},
                                           {"shifting", {5.65, 0.12}},
                                           {"corrected-stress", {0.1, 0.215}},
-                                          {"balanced", {0.1, 0.045, plot::Anchor::left, true}},
-                                          {"hourglass", {0.1, 0.09, plot::Anchor::left, true}},
-                                          {"reference", {0.1, 0.135, plot::Anchor::left, true}},
+                                          {"balanced", {1.95, 0.045, plot::Anchor::right, true}},
+                                          {"hourglass", {1.95, 0.09, plot::Anchor::right, true}},
+                                          {"reference", {1.95, 0.135, plot::Anchor::right, true}},
                                           {"cspm", {2.42, 0.075, plot::Anchor::left, true}},
-                                          {"background", {4.4, 0.05, plot::Anchor::left, true}},
-                                          {"corrected", {4.4, 0.085, plot::Anchor::left, true}},
+                                          {"background", {4.4, 0.085, plot::Anchor::left, true}},
+                                          {"corrected", {4.4, 0.05, plot::Anchor::left, true}},
                                           {"lagrangian-kernel", {4.4, 0.015, plot::Anchor::left, true}}};
 
 plot::Style look_of(const Merits& merits) {
@@ -99,7 +99,7 @@ void draw_growth(plot::Panel& panel, const CureMethod& method, const Merits& mer
     const auto found = labels.find(method.name);
     if (found == labels.end()) return;
     const Label& label = found->second;
-    const std::string name = method.name == "hourglass" ? "and hourglass control" : method.label;
+    const std::string name = method.name == "hourglass" ? "with hourglass control" : method.label;
     plot::Note& note = panel.note(label.x, label.y, name);
     note.anchor = label.anchor, note.size = 7;
     if (label.arrow) note.points_at = std::array{x, y};
@@ -197,7 +197,7 @@ void cures(report::Run& run) {
     figure.panel_width = 430, figure.panel_height = 340;
     plot::Panel& growth = figure.at(0, 0).labels("error of the speed of sound [%]", "growth [$c$/dx]");
     plot::Panel& order =
-        figure.at(0, 1).labels("momentum drift a particle [$c$]", "smallest distance [dx]").log_x();
+        figure.at(0, 1).labels("momentum drift per particle [$c$]", "smallest distance [dx]").log_x();
     using namespace report;
     const std::vector<Shows> columns{
         {"growth [c/dx]", "growth", or_word(1e-3, "< 0.001", decimals(2))},
@@ -229,10 +229,12 @@ void cures(report::Run& run) {
     const auto others = std::count_if(all.begin(), all.end(), [](const auto& one) {
         return !one.second.holds() && one.second.run.momentum_drift < 1e-14;
     });
-    order.note(1e-15, 0.2, fmt::format("the {} others, all with exact momentum", others)).size = 7;
+    order.note(1e-15, 0.2, fmt::format("the {} others, all with exact momentum", others - 1)).size = 7;
     plot::Note& corrected = order.note(1e-4, 0.84, "corrected slope, CSPM");
     plot::Note& repelled = order.note(3e-4, 0.93, "and artificial stress");
     corrected.anchor = repelled.anchor = plot::Anchor::right, corrected.size = repelled.size = 7;
+    const Merits& held = all["hourglass"];
+    order.note(4 * drift_shown(held.run), held.run.smallest_distance, "hourglass control").size = 7;
     run.save(figure);
     run.fill("cures", table.markdown());
     run.fill("cures-all", full.markdown());
