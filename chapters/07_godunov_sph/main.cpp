@@ -11,6 +11,7 @@ void paper(report::Run& run);
 void wave(report::Run& run);
 void repairs(report::Run& run);
 void survival(report::Run& run);
+void walls(report::Run& run);
 void wedge(report::Run& run);
 void cost(report::Run& run);
 void cost_of_effects(report::Run& run);
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
         .figure("repairs", "the paper's scheme and its repairs, one at a time", repairs)
         .figure("wave", "a standing sound wave: what the scheme is worth where there is no shock", wave)
         .figure("survival", "which schemes finish the hard cases and are right", survival)
+        .figure("walls", "images behind the corners of a wall", walls)
         .timed_figure("wedge", "a wedge in a channel at Mach 2, beside a grid and theory", wedge)
         .timed_figure("cost", "error against CPU time, beside chapter 4's methods and grids", cost)
         .timed_figure("cost-of-effects", "what each listed effect costs per pair", cost_of_effects)

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "chapters/07_godunov_sph/scenes/wedge_command.hpp"
 #include "common/core/unstable.hpp"
@@ -9,6 +10,7 @@
 namespace sph::godunov {
 namespace {
 
+constexpr double in_degrees = 180 / std::numbers::pi;
 constexpr double height_of_cut = 0.3;  // through shock and fan, above the floor's layer
 
 /// What a row of the table and a curve need of a flow, by particles or on a grid.
@@ -156,13 +158,13 @@ void draw_cuts(report::Run& run, const WedgeRuns& runs) {
         ceiling.curve(wall, mach_along(runs.grids[k].flow, wall, 1), look);
     }
     plot::Panel& errors =
-        figure.at(0, 2).log_log().labels("particles or cells across", "error of $M$_{2}, %");
-    const double exact_mach = channel.shock().mach_behind();
+        figure.at(0, 2).log_log().labels("particles or cells across", "error of β, degrees");
+    const double beta = channel.shock().beta() * in_degrees;
     const auto error_of = [&](const std::vector<FlowSeen>& list, plot::Style look) {
         plot::Values n, error;
         for (const FlowSeen& one : list) {
             n.push_back(static_cast<double>(one.cells));
-            error.push_back(100 * std::abs(one.measured.mach_behind / exact_mach - 1));
+            error.push_back(std::abs(one.measured.beta - beta));
         }
         errors.curve(n, error, std::move(look));
     };
@@ -174,16 +176,16 @@ void draw_cuts(report::Run& run, const WedgeRuns& runs) {
 
 void fill_table(report::Run& run, const WedgeRuns& runs) {
     const WedgeChannel channel;
-    report::Table table{{"flow", "β, degrees", "$`M_2`$", "$`M_3`$", "least M", "s"}};
+    report::Table table{{"flow", "β, degrees", "$`M_2`$", "$`M_3`$", "least M", "steps", "s"}};
     const exact::ObliqueShock shock = channel.shock();
-    table.row({"theory", report::fixed(shock.beta() * 45 / std::atan(1.0), 2),
-               report::fixed(shock.mach_behind(), 3), report::fixed(channel.fan().mach_behind(), 3), "0.577",
-               ""});
+    table.row({"theory", report::fixed(shock.beta() * in_degrees, 2), report::fixed(shock.mach_behind(), 3),
+               report::fixed(channel.fan().mach_behind(), 3), "0.577", "", ""});
     const auto row = [&](const std::string& label, const FlowSeen& one) {
         table.row({label, "≈" + report::fixed(one.measured.beta, 2),
                    "≈" + report::fixed(one.measured.mach_behind, 3),
                    "≈" + report::fixed(one.measured.mach_after, 3),
-                   "≈" + report::fixed(one.measured.least_mach, 2), report::timing(one.seconds)});
+                   "≈" + report::fixed(one.measured.least_mach, 2), "≈" + std::to_string(one.steps),
+                   report::timing(one.seconds)});
     };
     for (const std::size_t k : {1U, 3U}) {
         if (k < runs.grids.size())
@@ -196,7 +198,7 @@ void fill_table(report::Run& run, const WedgeRuns& runs) {
 
 void claim_all(report::Run& run, const WedgeRuns& runs) {
     const WedgeChannel channel;
-    const double beta = channel.shock().beta() * 45 / std::atan(1.0), mach = channel.shock().mach_behind();
+    const double beta = channel.shock().beta() * in_degrees, mach = channel.shock().mach_behind();
     const auto off_angle = [&](const FlowSeen& one) { return std::abs(one.measured.beta - beta); };
     const auto off_mach = [&](const FlowSeen& one) { return std::abs(one.measured.mach_behind / mach - 1); };
     const auto off_fan = [&](const FlowSeen& one) {
@@ -253,7 +255,7 @@ void wedge(report::Run& run) {
     draw_cuts(run, runs);
     fill_table(run, runs);
     run.fill("wedge-naive", report::number(runs.naive_end, 1));
-    run.fill("wedge-energy", report::number(runs.energy_error, 1));
+    run.fill("wedge-energy", "≈" + report::number(runs.energy_error, 1));
     claim_all(run, runs);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace sph::godunov {
@@ -14,14 +15,14 @@ double right_of(double x, double y, double x0, double y0, double inclination) {
     return (x - x0) * std::sin(inclination) - (y - y0) * std::cos(inclination);
 }
 
-/// The mean of the Mach number over the cells of which `holds(x, y)`.
-template <class Holds>
-double mean_mach(const ChannelFlow& flow, const Holds& holds) {
+/// The mean of value(i, j) over the cells of which `holds(x, y)`.
+template <class Value, class Holds>
+double mean_over(const ChannelFlow& flow, const Value& value, const Holds& holds) {
     double sum = 0, count = 0;
     for (std::size_t j = 0; j < flow.cells.ny; ++j) {
         for (std::size_t i = 0; i < flow.cells.nx; ++i) {
             if (!holds(flow.x(i), flow.y(i, j))) continue;
-            sum += flow.mach(i, j);
+            sum += value(i, j);
             ++count;
         }
     }
@@ -150,12 +151,12 @@ void FlowMean::add(double x, double y, double volume, const exact::GasState2D& s
 
 ChannelFlow FlowMean::mean(double gamma) const {
     ChannelFlow flow{cells_, sum_, gamma};
-    for (std::size_t k = 0; k < sum_.size(); ++k) {
+    for (std::size_t k = sum_.size(); k-- > 0;) {
         auto& [rho, vx, vy, p] = flow.state[k];
         if (weight_[k] > 0) {
             rho /= weight_[k], vx /= weight_[k], vy /= weight_[k], p /= weight_[k];
         } else {
-            flow.state[k] = flow.state[k >= cells_.nx ? k - cells_.nx : k];
+            flow.state[k] = flow.state[std::min(k + 1, sum_.size() - 1)];
         }
     }
     return flow;
@@ -167,22 +168,34 @@ Measured measure(const WedgeChannel& channel, const ChannelFlow& flow) {
     const double top = channel.floor(channel.corner), angle = channel.radians(),
                  beta = channel.shock().beta();
     const double from_wave = 0.3 * right_of(channel.corner, top, channel.edge, 0, beta);
+    const auto mach = [&](std::size_t i, std::size_t j) { return flow.mach(i, j); };
+    const double exact_entropy =
+        channel.pressure() * channel.shock().p_ratio() / std::pow(channel.shock().rho_ratio(), channel.gamma);
+    const auto entropy = [&](std::size_t i, std::size_t j) {
+        return flow.at(i, j).p / std::pow(flow.at(i, j).rho, channel.gamma) / exact_entropy;
+    };
+    const double row = (1 - top) / static_cast<double>(flow.cells.ny);
+    const auto after = [&](double x) { return x > after_begin && x < after_end; };
     Measured measured;
     measured.beta = shock_angle(channel, flow);
-    measured.mach_behind = mean_mach(flow, [&](double x, double y) {
+    measured.mach_behind = mean_over(flow, mach, [&](double x, double y) {
         return right_of(x, y, channel.edge, 0, beta) > from_wave &&
                right_of(x, y, channel.corner, top, angle + std::asin(1 / mach_behind)) < -from_wave &&
                y - channel.floor(x) > from_floor;
     });
-    measured.mach_after = mean_mach(flow, [&](double x, double y) {
-        return right_of(x, y, channel.corner, top, std::asin(1 / mach_after)) > from_wave &&
-               x > after_begin && x < after_end && y - top > from_floor;
+    measured.mach_after = mean_over(flow, mach, [&](double x, double y) {
+        return right_of(x, y, channel.corner, top, std::asin(1 / mach_after)) > from_wave && after(x) &&
+               y - top > from_floor;
     });
+    measured.entropy_at_floor =
+        mean_over(flow, entropy, [&](double x, double y) { return after(x) && y - top < row; });
+    measured.entropy_above = mean_over(
+        flow, entropy, [&](double x, double y) { return after(x) && y - top > 0.15 && y - top < 0.2; });
     measured.least_mach = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < flow.cells.ny; ++j) {
         for (std::size_t i = 0; i < flow.cells.nx; ++i) {
-            const double mach = flow.mach(i, j);
-            if (mach < measured.least_mach) measured.least_mach = mach, measured.least_x = flow.x(i);
+            if (mach(i, j) < measured.least_mach)
+                measured.least_mach = mach(i, j), measured.least_x = flow.x(i);
         }
     }
     const auto slower = [&](std::size_t j) {

@@ -50,7 +50,7 @@ class FlowMean {
     explicit FlowMean(const exact::ChannelShape& cells);
     /// A particle of the volume m/rho; outside of the channel it does not count.
     void add(double x, double y, double volume, const exact::GasState2D& state);
-    /// A cell that no particle came near has the values of the one below.
+    /// A cell that no particle came near, at the entry, has the values of the next one downstream.
     ChannelFlow mean(double gamma) const;
 
   private:
@@ -60,9 +60,11 @@ class FlowMean {
 };
 
 struct Measured {
-    double beta = 0;          ///< of the shock from the edge, [degrees]
-    double mach_behind = 0;   ///< the mean between this shock and the fan
-    double mach_after = 0;    ///< the mean behind the fan
+    double beta = 0;         ///< of the shock from the edge, [degrees]
+    double mach_behind = 0;  ///< the mean between this shock and the fan
+    double mach_after = 0;   ///< the mean behind the fan
+    /// P/rho^gamma behind the fan, over theory's: in the lowest row of cells, and far from the floor.
+    double entropy_at_floor = 0, entropy_above = 0;
     double least_mach = 0;    ///< of a cell
     double least_x = 0;       ///< where that is
     double sonic_height = 0;  ///< of the part at the ceiling where the flow is slower than sound
@@ -70,7 +72,7 @@ struct Measured {
 /// beta from a line through the places where P passes half of the theory's jump, in the columns of cells
 /// that the shock crosses between y = 0.15 and 0.7; means over cells that are at least 0.05 from
 /// the floor, and from shock and fan 0.3 of the distance of the corner from the shock (0.08 for the
-/// defaults); behind the fan in 0.25 < x < 0.6.
+/// defaults); behind the fan in 0.25 < x < 0.6; entropy above: 0.15 to 0.2 from the floor.
 Measured measure(const WedgeChannel& channel, const ChannelFlow& flow);
 
 }  // namespace sph::godunov

@@ -189,6 +189,8 @@ report::Quantities WedgeRun::quantities() const {
     return {{"shock_angle", measured.beta, "degrees"},
             {"mach_behind_shock", measured.mach_behind},
             {"mach_after_fan", measured.mach_after},
+            {"entropy_at_floor", measured.entropy_at_floor},
+            {"entropy_above", measured.entropy_above},
             {"least_mach", measured.least_mach},
             {"least_mach_x", measured.least_x},
             {"sonic_height", measured.sonic_height},

@@ -11,7 +11,7 @@
 namespace sph::godunov {
 
 void draw_mach(plot::Panel& panel, const WedgeChannel& channel, const ChannelFlow& flow, bool bar) {
-    constexpr int rows = 80;  // of the picture, and three times as many columns
+    constexpr int rows = 40;  // of the picture, and three times as many columns
     constexpr double lowest = 0.46, step = 0.025;
     constexpr int levels = 22;
     plot::Field field{.name = "mach", .contours = {}};
