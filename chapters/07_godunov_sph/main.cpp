@@ -1,6 +1,7 @@
 // Chapter 7. Godunov SPH: what does a Riemann solver between particles buy, and what does it cost?
 // Figures: renders/07_godunov_sph/. Text: README.md.
 #include "chapters/07_godunov_sph/scenes/commands.hpp"
+#include "chapters/07_godunov_sph/scenes/sedov.hpp"
 #include "revision.hpp"
 
 namespace sph::godunov {  // figures/, each in a file of its name
@@ -29,6 +30,7 @@ int main(int argc, char** argv) {
         .timed_figure("cost-of-effects", "what each listed effect costs per pair", cost_of_effects)
         .scene("tube", "two states of your choice, against the exact solution",
                sph::shocks::TubeCommand{tube_kind()})
-        .scene("wave", "a standing sound wave, against the exact solution", WaveOfSound{});
+        .scene("wave", "a standing sound wave, against the exact solution", WaveOfSound{})
+        .scene("sedov", "a point blast on a line, in the plane or in space", SedovInSpace{});
     return chapter.main(argc, argv);
 }

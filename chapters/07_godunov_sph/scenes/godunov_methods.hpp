@@ -20,4 +20,13 @@ Method<1> single_precision();
 /// The recommended method, stored with 24 bits; `total`: what is stored is v^2/2 + u in the place of u.
 Method<1> single_precision_energy(bool total);
 
+/// In the plane: `inutsuka`, the paper's scheme with C_smooth = 1, `first-order`, the recommended one without
+/// slopes, and `godunov`, which is that of the line with the paper's Gaussian: the narrow kernel's sums are
+/// exact on a line only.
+const Methods<2>& plane_methods();
+/// In space: `first-order` and `godunov`.
+const Methods<3>& space_methods();
+/// Chapter 4's recommended dissipation in space.
+Method<3> reconstructed_in_space();
+
 }  // namespace sph::godunov
