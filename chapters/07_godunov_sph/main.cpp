@@ -11,6 +11,9 @@ void paper(report::Run& run);
 void wave(report::Run& run);
 void repairs(report::Run& run);
 void survival(report::Run& run);
+void hamiltonian(report::Run& run);
+void vortices(report::Run& run);
+void blasts(report::Run& run);
 void cost(report::Run& run);
 void cost_of_effects(report::Run& run);
 }  // namespace sph::godunov
@@ -26,6 +29,9 @@ int main(int argc, char** argv) {
         .figure("repairs", "the paper's scheme and its repairs, one at a time", repairs)
         .figure("wave", "a standing sound wave: what the scheme is worth where there is no shock", wave)
         .figure("survival", "which schemes finish the hard cases and are right", survival)
+        .figure("hamiltonian", "energy without a Riemann problem, against the step", hamiltonian)
+        .timed_figure("vortices", "shear, a vortex and sliding streams in the plane", vortices)
+        .timed_figure("blasts", "Noh and Sedov in the plane, and Sedov in space", blasts)
         .timed_figure("cost", "error against CPU time, beside chapter 4's methods and grids", cost)
         .timed_figure("cost-of-effects", "what each listed effect costs per pair", cost_of_effects)
         .scene("tube", "two states of your choice, against the exact solution",

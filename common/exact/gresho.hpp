@@ -8,8 +8,9 @@ namespace exact {
 ///     v = V (2 - s),   p = p_0 + rho V^2 (s^2/2 + 4 - 4 s + 4 ln s)   for 1 <= s <= 2,
 ///     v = 0,           p = p_0 + rho V^2 (4 ln 2 - 2)                 farther out.
 /// It solves the Euler equations of any fluid: dp/dr = rho v^2/r, and nothing is compressed.
-/// Source: Gresho & Chan, Int. J. Numer. Meth. Fluids 11 (1990) 621, section 4; with a pressure p_0 for gases:
-/// Liska & Wendroff, SIAM J. Sci. Comput. 25 (2003) 995, whose case is V = 1, R = 0.2, rho = 1, p_0 = 5.
+/// Source: Gresho & Chan, Int. J. Numer. Meth. Fluids 11 (1990) 621, section 4; with a pressure p_0 for
+/// gases: Liska & Wendroff, SIAM J. Sci. Comput. 25 (2003) 995, whose case is V = 1, R = 0.2, rho = 1, p_0
+/// = 5.
 ///
 /// Units: of length, time and mass as the caller likes. Accuracy: rounding, 1e-15 of V and of p_0 + rho V^2.
 class Gresho {

@@ -96,7 +96,8 @@ ShearInstability::ShearInstability(const Flow& flow, int points) : flow_{flow} {
     double largest = 0;
     Complex scale{1, 0};
     for (std::size_t a = 0; a < n; ++a) {
-        if (std::abs(component(n + a)) > largest) largest = std::abs(component(n + a)), scale = component(n + a);
+        if (std::abs(component(n + a)) > largest)
+            largest = std::abs(component(n + a)), scale = component(n + a);
     }
     for (Coefficients* of : {&u_, &w_, &p_}) {
         const std::size_t first = of == &u_ ? 0 : of == &w_ ? n : 2 * n;
@@ -126,8 +127,7 @@ Complex ShearInstability::mode(double y) const {
 ShearInstability::State ShearInstability::disturbance(double x, double y) const {
     const State here = base(y);
     const double f = profile(y);
-    const double slope =
-        (flow_.inner - flow_.outer) / 2 * (1 - f * f) * std::cos(2 * pi * y) / flow_.width;
+    const double slope = (flow_.inner - flow_.outer) / 2 * (1 - f * f) * std::cos(2 * pi * y) / flow_.width;
     const Complex phase = std::polar(1.0, wave * x), w = sum(w_, y), p = sum(p_, y);
     const Complex rho =
         here.rho * p / (flow_.gamma * flow_.pressure) + w * slope / (omega_ - wave * here.v_x);

@@ -30,6 +30,7 @@ class ShearInstability {
 
     /// Of the fastest disturbance, exp(growth t) [1/time]; 0 where none grows.
     double growth() const { return omega_.imag(); }
+    std::complex<double> omega() const { return omega_; }
 
     struct State {
         double rho, v_x, v_y, p;

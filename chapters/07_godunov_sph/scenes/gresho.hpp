@@ -16,13 +16,13 @@ struct GreshoScene {
 };
 
 struct GreshoRun {
-    Columns<2> x;             ///< at the end, in -1/2..1/2
-    Column r, v;              ///< of the particles, and their velocities around the origin
-    double l1_v = 0;          ///< relative, of v, by volume, over r < 1/2
-    double peak = 0;          ///< mean of v over 0.18 < r < 0.22, over the exact one
-    double noise = 0;         ///< rms velocity along r, over r < 0.4
-    double kinetic = 0;       ///< energy at the end over that of the start
-    double energy_drift = 0;  ///< relative
+    Columns<2> x;               ///< at the end, in -1/2..1/2
+    Column r, v;                ///< of the particles, and their velocities around the origin
+    double l1_v = 0;            ///< relative, of v, by volume, over r < 1/2
+    double peak = 0;            ///< mean of v over 0.18 < r < 0.22, over the exact one
+    double noise = 0;           ///< rms velocity along r, over r < 0.4
+    double kinetic = 0;         ///< energy at the end over that of the start
+    double energy_drift = 0;    ///< relative
     double momentum_drift = 0;  ///< relative to sum m |v| at the start
     Counters counters;
     double seconds = 0;  ///< CPU time of the steps

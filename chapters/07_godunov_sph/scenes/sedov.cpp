@@ -111,12 +111,8 @@ template BlastRun<3> run_blast<3>(const BlastScene&, const shocks::Method<3>&);
 
 template <int d>
 report::Quantities BlastRun<d>::measured() const {
-    return {{"l1_rho", l1_rho},
-            {"l1_v", l1_v},
-            {"l1_p", l1_p},
-            {"shock_radius", shock},
-            {"peak", peak},
-            {"steps", static_cast<double>(counters.steps)},
+    return {{"l1_rho", l1_rho},           {"l1_v", l1_v}, {"l1_p", l1_p},
+            {"shock_radius", shock},      {"peak", peak}, {"steps", static_cast<double>(counters.steps)},
             {"cpu_seconds", seconds, "s"}};
 }
 template struct BlastRun<1>;
@@ -135,8 +131,8 @@ void SedovInSpace::run_in(report::Run& run, const shocks::Methods<d>& methods) c
     if (method_ == "list") return run.print(methods.text());
     const auto names = methods.names();
     if (std::find(names.begin(), names.end(), method_) == names.end())
-        throw app::UsageError{"--method: " + method_ + " is not allowed with --dimension " + std::to_string(d) +
-                              "; allowed: list, " + app::option_text::joined(names)};
+        throw app::UsageError{"--method: " + method_ + " is not allowed with --dimension " +
+                              std::to_string(d) + "; allowed: list, " + app::option_text::joined(names)};
     const shocks::Method<d>& method = methods[method_];
     report::tell(run, method);
     const BlastScene scene{

@@ -35,8 +35,8 @@ struct BlastRun {
 template <int d>
 BlastRun<d> run_blast(const BlastScene& scene, const shocks::Method<d>& method);
 
-/// The scene `sedov` of the reader's own. Leaves rows of results.csv, profile.csv (r,rho,v,p of the particles)
-/// and the figure "sedov".
+/// The scene `sedov` of the reader's own. Leaves rows of results.csv, profile.csv (r,rho,v,p of the
+/// particles) and the figure "sedov".
 class SedovInSpace {
   public:
     void declare(app::CommandLine& line);

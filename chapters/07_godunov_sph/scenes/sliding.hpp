@@ -3,8 +3,8 @@
 #include "common/exact/shear_instability.hpp"
 #include "common/report/chapter.hpp"
 
-/// Kelvin and Helmholtz: two streams that slide along each other, in a periodic square of side 1, disturbed by
-/// the fastest mode of the linear theory. It should grow as that says.
+/// Kelvin and Helmholtz: two streams that slide along each other, in a periodic square of side 1, disturbed
+/// by the fastest mode of the linear theory. It should grow as that says.
 namespace sph::godunov {
 
 struct SlidingScene {
