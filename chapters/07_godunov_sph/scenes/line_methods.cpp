@@ -54,6 +54,12 @@ const Methods<1>& line_methods() {
     return methods;
 }
 
+Method<1> with_calm_start(long steps) {
+    Recommended scheme;
+    scheme.calm = steps;
+    return variant("calm-start", "first steps without slopes", scheme);
+}
+
 Method<1> single_precision_energy(bool total) {
     Recommended scheme;
     scheme.single_storage = true, scheme.total_energy = total;

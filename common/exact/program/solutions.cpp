@@ -7,6 +7,7 @@ std::vector<std::unique_ptr<Solution>> solutions() {
     list.push_back(bar());
     list.push_back(beam());
     list.push_back(burgers());
+    list.push_back(gresho());
     list.push_back(landau());
     list.push_back(noh());
     list.push_back(oblique_shock());

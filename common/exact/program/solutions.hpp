@@ -9,6 +9,7 @@ namespace exact::program {
 std::unique_ptr<Solution> bar();
 std::unique_ptr<Solution> beam();
 std::unique_ptr<Solution> burgers();
+std::unique_ptr<Solution> gresho();
 std::unique_ptr<Solution> landau();
 std::unique_ptr<Solution> noh();
 std::unique_ptr<Solution> oblique_shock();
