@@ -52,9 +52,9 @@ struct ChannelSetup {
 using ChannelMethod = report::Method<OpenGas, ChannelSetup>;
 using ChannelMethods = report::Methods<ChannelMethod>;
 
-/// `godunov`, the recommended one, and `godunov-first`, the same of first order; the paper's scheme as
-/// `inutsuka`, `inutsuka-linear` and `inutsuka-first`; SPH with viscosity as `alpha-beta` and
-/// `alpha-beta-twice`.
+/// `godunov`, the recommended one in the plane, `first-order`, the same without slopes, and
+/// `geometric-volume`, that of the line; the paper's scheme as `inutsuka`, `inutsuka-linear` and
+/// `inutsuka-first`; SPH with viscosity as `alpha-beta` and `alpha-beta-twice`.
 const ChannelMethods& channel_methods();
 
 }  // namespace sph::godunov

@@ -11,8 +11,9 @@ constexpr double close_enough = 1e-4;       // energy hangs on the work of pairs
 using InChannel = ConvolvedGaussian<2, 3>;  // 3 sqrt2 h, where exp(-9) is left of the force
 
 // [methods]
-using ThirdOrderFlow = Godunov<ThirdOrder, GeometricVolume, HllcRiemann, ClosingRate>;
-using FirstOrderFlow = Godunov<ConstantSides, GeometricVolume, HllcRiemann, ClosingRate>;
+using ThirdOrderFlow = Godunov<ThirdOrder, CubicVolume, HllcRiemann, ClosingRate>;
+using GeometricFlow = Godunov<ThirdOrder, GeometricVolume, HllcRiemann, ClosingRate>;
+using FirstOrderFlow = Godunov<ConstantSides, CubicVolume, HllcRiemann, ClosingRate>;
 using PaperFlow = Godunov<PaperConstraint, CubicVolume, ExactRiemann, SoundRate>;
 using PaperFlowLinear = Godunov<PaperConstraint, LinearVolume, ExactRiemann, SoundRate>;
 using PaperFlowFirst = Godunov<ConstantSides, CubicVolume, ExactRiemann, SoundRate>;
@@ -72,9 +73,10 @@ const ChannelMethods& channel_methods() {
          solving_flow(
              open_markers(described_flow("inutsuka-first", "inutsuka", "Inutsuka 2002, first order")),
              as_in_paper<PaperFlowFirst>()),
-         solving_flow(open_markers(described_flow("first-order", "godunov", "Godunov SPH, first order")),
-                      FirstOrderFlow{}),
+         solving_flow(described_flow("first-order", "limited", "Godunov SPH, first order"), FirstOrderFlow{}),
          solving_flow(described_flow("godunov", "godunov", "Godunov SPH"), ThirdOrderFlow{}),
+         solving_flow(described_flow("geometric-volume", "own-width", "Godunov SPH with (7.16)"),
+                      GeometricFlow{}),
          viscous_flow("alpha-beta", "α = 1, β = 2", 1),
          open_markers(viscous_flow("alpha-beta-twice", "α = 2, β = 4", 2))}};
     return methods;
