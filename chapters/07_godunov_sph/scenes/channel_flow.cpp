@@ -76,8 +76,9 @@ exact::PrandtlMeyer WedgeChannel::fan() const {
 
 double WedgeChannel::exact_mach(double x, double y) const {
     if (right_of(x, y, edge, 0, shock().beta()) < 0) return mach;
-    const double ray = std::atan2(y - floor(corner), x - corner);
-    return fan().mach_on_ray(ray - radians());
+    const double above = y - floor(corner);
+    if (x < corner && above <= 0) return shock().mach_behind();
+    return fan().mach_on_ray(std::atan2(above, x - corner) - radians());
 }
 
 double ChannelFlow::y(std::size_t i, std::size_t j) const {
