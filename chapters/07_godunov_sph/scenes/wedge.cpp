@@ -94,7 +94,10 @@ void Stream::enter(std::size_t from, double t) {
     for (std::size_t i = from; i < x[0].size(); ++i) {
         double& u_i = gas().get<ThermalEnergy>()[i];
         if (std::abs(u_i / u - 1) > disturbed)
-            throw Unstable{t, i, "a shock has come to the entry: thermal energy over the stream's", u_i / u};
+            throw Unstable{
+                t, i,
+                "thermal energy of what enters (a disturbance has come to the entry), over the stream's,",
+                u_i / u};
         x[0][i] -= channel_.period();
         v[0][i] = scene_.channel.mach, v[1][i] = 0, u_i = u;
         entered_ += gas().get<Mass>()[i], energy_ += energy_of(i);
