@@ -33,8 +33,8 @@ struct ConvolvedGaussian : Gaussian<d> {
 /// The quadratic spline M_3, whose convolution is M_6, the quintic: exactly so on a line, since M_n is the
 /// box convolved n times (Schoenberg 1946). Half as wide as the Gaussian of the same h. Three neighbours make
 /// its density, so that bend is that of their difference, 1/6; product then keeps uniform pressure without
-/// force. For a line: in the plane and in space its density answers a compression of a lattice by several per
-/// cent too little or too much, whatever h is.
+/// force. For a line: in the plane and in space its density answers the compression of a lattice by several
+/// per cent too little or too much.
 template <int d>
 struct ConvolvedQuadratic : QuadraticSpline<d> {
     static constexpr double support = 3;

@@ -23,8 +23,8 @@ void hamiltonian(report::Run& run) {
         figure.at(0, 0).log_log().labels("$dt$ [d$x$/$c$_{s}]", "largest change of the energy");
     panel.curve(steps, integral, plot::competitor("the integral (7.4)"));
     panel.curve(steps, cubic, plot::look_of("inutsuka", "(7.9), V cubic, mean of both pressures"));
-    panel.slope(2, 0.06, 0.4, 0.5 * integral.front(), "order 2");
-    panel.legend.outside = true;
+    panel.slope(2, 0.06, 0.3, 8e-6, "order 2");
+    panel.y_range(3e-6, 0.5);
     run.save(figure);
     run.fill("hamiltonian-floor", report::number(cubic.back(), 1));
     run.claim("hamiltonian", [&] {

@@ -53,8 +53,8 @@ using ChannelMethod = report::Method<OpenGas, ChannelSetup>;
 using ChannelMethods = report::Methods<ChannelMethod>;
 
 /// `godunov`, the recommended one in the plane, `first-order`, the same without slopes, and
-/// `geometric-volume`, that of the line; the paper's scheme as `inutsuka`, `inutsuka-linear` and
-/// `inutsuka-first`; SPH with viscosity as `alpha-beta` and `alpha-beta-twice`.
+/// `geometric-volume`, that of the line; the paper's scheme as `inutsuka` and
+/// `inutsuka-linear`; SPH with viscosity as `alpha-beta` and `alpha-beta-twice`.
 const ChannelMethods& channel_methods();
 
 }  // namespace sph::godunov

@@ -15,8 +15,6 @@ using ThirdOrderFlow = Godunov<ThirdOrder, CubicVolume, HllcRiemann, ClosingRate
 using GeometricFlow = Godunov<ThirdOrder, GeometricVolume, HllcRiemann, ClosingRate>;
 using FirstOrderFlow = Godunov<ConstantSides, CubicVolume, HllcRiemann, ClosingRate>;
 using PaperFlow = Godunov<PaperConstraint, CubicVolume, ExactRiemann, SoundRate>;
-using PaperFlowLinear = Godunov<PaperConstraint, LinearVolume, ExactRiemann, SoundRate>;
-using PaperFlowFirst = Godunov<ConstantSides, CubicVolume, ExactRiemann, SoundRate>;
 using ViscousFlow = Dissipation<AlphaBeta>;
 // [end]
 
@@ -39,6 +37,11 @@ ChannelMethod solving_flow(ChannelMethod method, const Scheme& scheme) {
 template <class Scheme>
 Scheme as_in_paper(Scheme scheme = {}) {
     scheme.retries = false;
+    return scheme;
+}
+PaperFlow of_straight_flow() {
+    PaperFlow scheme;
+    scheme.volumes.straight = true;
     return scheme;
 }
 ChannelMethod open_markers(ChannelMethod method) {
@@ -69,10 +72,7 @@ const ChannelMethods& channel_methods() {
         "godunov",
         {solving_flow(described_flow("inutsuka", "inutsuka", "Inutsuka 2002"), as_in_paper<PaperFlow>()),
          solving_flow(open_markers(described_flow("inutsuka-linear", "inutsuka", "Inutsuka 2002, linear")),
-                      as_in_paper<PaperFlowLinear>()),
-         solving_flow(
-             open_markers(described_flow("inutsuka-first", "inutsuka", "Inutsuka 2002, first order")),
-             as_in_paper<PaperFlowFirst>()),
+                      as_in_paper(of_straight_flow())),
          solving_flow(described_flow("first-order", "limited", "Godunov SPH, first order"), FirstOrderFlow{}),
          solving_flow(described_flow("godunov", "godunov", "Godunov SPH"), ThirdOrderFlow{}),
          solving_flow(described_flow("geometric-volume", "own-width", "Godunov SPH with (7.16)"),
