@@ -6,6 +6,7 @@
 
 #include "chapters/07_godunov_sph/volumes.hpp"
 #include "common/core/integrators.hpp"
+#include "common/core/march.hpp"
 #include "common/core/particles.hpp"
 
 namespace sph::godunov {
@@ -116,13 +117,12 @@ double energy_change(const WaveWithoutRiemann& scene, PairForce force) {
     Motion motion{alone};
     motion.evolve<Position, Velocity>(ring.beads()).evolve<Velocity, Acceleration>(ring.beads());
     KickDriftKick leapfrog{motion, [&](double) { ring.rates(); }};
-    const double dt = static_cast<double>(scene.n) / static_cast<double>(scene.steps);
     const double kinetic = ring.kinetic(), before = ring.energy();
     double t = 0, largest = 0;
-    for (long k = 0; k < std::lround(scene.periods * static_cast<double>(scene.steps)); ++k) {
-        leapfrog.step(t, dt);
-        largest = std::max(largest, std::abs(ring.energy() - before));
-    }
+    march(leapfrog, t,
+          {.end = scene.periods * static_cast<double>(scene.n),
+           .steps = std::lround(scene.periods * static_cast<double>(scene.steps))},
+          [&](double) { largest = std::max(largest, std::abs(ring.energy() - before)); });
     return largest / kinetic;
 }
 
