@@ -154,7 +154,7 @@ TEST_CASE("exact oblique-shock, prandtl-meyer: bad usage is one line that names 
         {"oblique-shock --gamma 1", "--gamma", "1"},
         {"oblique-shock --branch steep", "--branch", "strong"},
         {"prandtl-meyer --mach 0.5", "--mach", "0.5"},
-        {"prandtl-meyer --mach 2 --angle 105", "--angle: 105", "104.075"},
+        {"prandtl-meyer --mach 2 --angle 105", "--angle: 105", "104.074"},
         {"prandtl-meyer --mach nan", "--mach", "nan"},
     });
 }
