@@ -13,10 +13,14 @@ namespace sph {
 ///     product    the same of W_i W_j around half-way [h^2]
 ///     bend       how much too low the density of a sine wave is, in (k h)^2, at h = spacing
 ///     reach2     three times the mean square of one component of x under the wide kernel [h^2]
+/// In d dimensions V is interpolated along a pair's line only. What that leaves out across it, on average
+/// over directions, stands in product: with the factor 1 + (d - 1)^2/(3 d) long waves of the density at
+/// uniform pressure are without force, as on a line   (measured: tests/07_godunov_sph).
 template <int d, int cut = 4>
 struct ConvolvedGaussian : Gaussian<d> {
     static constexpr double support = cut * std::numbers::sqrt2;
-    static constexpr double variance = 0.5, product = 0.25, bend = 0.25, reach2 = 3;
+    static constexpr double variance = 0.5, bend = 0.25, reach2 = 3;
+    static constexpr double product = 0.25 * (1 + (d - 1) * (d - 1) / (3.0 * d));
     template <class H>
     static Tile wide_W(const Tile& r, const H& h) {
         return Gaussian<d, cut>::W(r, std::numbers::sqrt2 * h);
@@ -29,7 +33,8 @@ struct ConvolvedGaussian : Gaussian<d> {
 /// The quadratic spline M_3, whose convolution is M_6, the quintic: exactly so on a line, since M_n is the
 /// box convolved n times (Schoenberg 1946). Half as wide as the Gaussian of the same h. Three neighbours make
 /// its density, so that bend is that of their difference, 1/6; product then keeps uniform pressure without
-/// force.
+/// force. For a line: in the plane and in space its density answers the compression of a lattice by several
+/// per cent too little or too much.
 template <int d>
 struct ConvolvedQuadratic : QuadraticSpline<d> {
     static constexpr double support = 3;

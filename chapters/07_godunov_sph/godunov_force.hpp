@@ -53,9 +53,12 @@ struct SoundRate {
 };
 /// The largest of [share (c_i + c_j) + closing max(-w, 0)]/min(h_i, h_j) over the neighbours, w the velocity
 /// at which they recede from each other, and of |w|/(2 r), so that none passes another in a step. With C =
-/// 0.45 and the share 0.3 sound goes 0.75 of h in a step.
+/// 0.45 and the share 0.3 sound goes 0.75 of h in a step. In the plane and in space particles do pass each
+/// other, and those that are nearer than `nearest` h may do so in a step, since no force keeps them apart
+/// there; nor may a particle that comes near its own image in a wall stop the clock.
 struct ClosingRate {
     double share = 0.3, closing = 1;
+    static constexpr double nearest = 0.1;
     static constexpr auto knobs() {
         return std::tuple{
             Knob{"sound-share", &ClosingRate::share, {0.05, 5}, "part of both speeds of sound in the rate"},
@@ -66,7 +69,9 @@ struct ClosingRate {
     void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
         const Tile w = closing_speed(i.v - j.v, pair);
         const Tile signal = (share * (i.c_s + j.c_s) + closing * (-w).max(0.0)) / j.h.min(i.h);
-        const Tile rate = signal.max(0.5 * w.abs() / pair.r.max(std::numeric_limits<double>::min()));
+        constexpr bool on_a_line = std::decay_t<decltype(pair.x_ij)>::size() == 1;
+        const Tile least = on_a_line ? Tile{std::numeric_limits<double>::min()} : nearest * j.h.min(i.h);
+        const Tile rate = signal.max(0.5 * w.abs() / pair.r.max(least));
         sum.step_rate = sum.step_rate.max((mean_F(pair) < 0).select(rate, 0.0));
     }
 };

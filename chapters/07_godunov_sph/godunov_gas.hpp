@@ -21,6 +21,7 @@ struct Godunov {
     Conducts conduction{};
     bool retries = true;          ///< a step that fails is done again, shorter, and at last without slopes
     bool total_energy = false;    ///< v^2/2 + u evolves in the place of u
+    long calm = 0;                ///< first steps that are done without slopes
     bool single_storage = false;  ///< positions, velocities and energies keep 24 bits
     static auto parts(auto& self) {
         return std::tie(self.sides, self.volumes, self.solver, self.limit, self.conduction);
@@ -106,12 +107,14 @@ class GodunovGas
     double gamma_ = 0;
     bool stale_ = false;  // whether the particles were moved since prepare()
     int failures_ = 0;    // of this step
+    long steps_ = 0;      // done
 };
 
 template <class R, class S, class B>
 void GodunovGas<R, S, B>::forces(double dt) {
     constexpr int without_slopes = 2;  // failures after which a step is done without them
-    const StepOfSides step{dt, gamma_, Kernel::bend, Kernel::reach2, failures_ < without_slopes ? 1.0 : 0.0};
+    const double order = failures_ < without_slopes && steps_ >= scheme_.calm ? 1.0 : 0.0;
+    const StepOfSides step{dt, gamma_, Kernel::bend, Kernel::reach2, order};
     const RiemannForce<typename S::Sides, typename S::Volumes, typename S::Solver, Kernel> force{
         scheme_.sides, scheme_.volumes, scheme_.solver, step};
     if constexpr (std::is_same_v<typename S::Conducts, NoConduction>) {
@@ -175,6 +178,7 @@ bool GodunovGas<R, S, B>::advance(double t, double dt) {
     prepare(t + dt);
     if (scheme_.retries && this->too_long(dt)) return undo(given);
     failures_ = 0;
+    ++steps_;
     return true;
 }
 // [end]

@@ -114,12 +114,4 @@ struct TwoShock {
     }
 };
 
-/// No dissipation: the mean of both sides. With it the scheme is the Hamiltonian one that has no shocks
-/// (Inutsuka 2002, 43).
-struct NoRiemann {
-    Star star(const Beside& left, const Beside& right, double) const {
-        return {0.5 * (left.p + right.p), 0.5 * (left.v + right.v)};
-    }
-};
-
 }  // namespace sph

@@ -131,14 +131,17 @@ struct VanLeer {
 /// what is left of the jump that damps it. The way from either particle is limited: it ends at the other's
 /// value, is no longer than the change on the other side, D' = 2 r f' - D, and is 0 where D and D' have
 /// different signs, but for `little` of the values themselves (of the speed of sound for velocities). Where
-/// particles approach by more than the speed of sound over C_shock: first order.
+/// particles approach by more than the speed of sound over C_shock: first order. In more than one dimension
+/// `across` of what half a step changes in the pressure across the line comes in too; without it the step is
+/// a viscosity in shear, of the order of c_s^2 dt.
 struct ThirdOrder {
-    double C_shock = 3, jump = 0.5, little = 1e-4;
+    double C_shock = 3, jump = 0.5, little = 1e-4, across = 1;
     static constexpr auto knobs() {
         return std::tuple{
             Knob{"C-shock", &ThirdOrder::C_shock, {0, 100}, "how many particles share a shock"},
             Knob{"jump", &ThirdOrder::jump, {0, 1}, "part of the jump between slopes in smooth flow"},
-            Knob{"little", &ThirdOrder::little, {0, 1}, "relative change that is not limited"}};
+            Knob{"little", &ThirdOrder::little, {0, 1}, "relative change that is not limited"},
+            Knob{"across", &ThirdOrder::across, {0, 1}, "part of the half step across the pair's line"}};
     }
     using Reads = Union<PaperConstraint::Reads, List<SmoothingLength>>;
     using Slopes = PaperConstraint::Slopes;
@@ -161,11 +164,25 @@ struct ThirdOrder {
         const auto [rho_i, rho_j] =
             halves(i.rho - j.rho, dot(i.drho_dx, n), dot(j.drho_dx, n), j.rho.min(i.rho));
         const auto [p_i, p_j] = halves(i.p - j.p, dot(i.dp_dx, n), dot(j.dp_dx, n), j.p.min(i.p));
-        const auto [to_i, to_j] = halves(v_i - v_j, along(i.dv_dx, n), along(j.dv_dx, n), j.c_s.min(i.c_s));
-        return {{j.rho + rho_j, j.p + p_j, v_j + to_j}, {i.rho - rho_i, i.p - p_i, v_i - to_i}};
+        const Tile g_i = along(i.dv_dx, n), g_j = along(j.dv_dx, n);
+        const auto [to_i, to_j] = halves(v_i - v_j, g_i, g_j, j.c_s.min(i.c_s));
+        const Tile part = across * order;
+        const Tile left_i = kept(part, i.dv_dx, g_i, step), left_j = kept(part, j.dv_dx, g_j, step);
+        return {{j.rho + rho_j, (j.p + p_j) * left_j, v_j + to_j},
+                {i.rho - rho_i, (i.p - p_i) * left_i, v_i - to_i}};
     }
 
   private:
+    /// What half a step across the line between the particles leaves of a pressure. Sound from along the line
+    /// has n . grad v . n for the divergence, which is all of it in one dimension only.
+    // [across]
+    static Tile kept(const Tile& part, const auto& gradient, const Tile& along_line,
+                     const StepOfSides& step) {
+        Tile across = -along_line;
+        for (std::size_t a = 0; a < gradient.size(); ++a) across += gradient[a][a];
+        return 1.0 - part * (0.5 * step.gamma * step.dt * across).max(-0.5).min(0.5);
+    }
+    // [end]
     // [kappa]
     static Tile one_less_kappa(const Tile& X, const StepOfSides& step) {
         const Tile waits = step.bend - (step.gamma / 3 - 0.25) * X * X;

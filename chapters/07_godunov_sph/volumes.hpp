@@ -71,13 +71,17 @@ struct LinearVolume {
 
 /// V(s) cubic   (60-65), and half of the integral with the h of either   (79).
 struct CubicVolume {
+    /// The straight line all the same, as LinearVolume has it: to compare both without compiling both.
+    bool straight = false;
     using Reads = List<Density, SmoothingLength, FittedDensitySlope>;
     using Slopes = List<FittedDensitySlope>;
     template <int d>
     Between face(const auto& i, const auto& j, const Vec<Tile, d>& n, const Tile& r,
                  const auto& kernel) const {
         const Tile V_i = 1.0 / i.rho, V_j = 1.0 / j.rho;
-        const Tile slope_i = -dot(i.drho_dx, n) * V_i * V_i, slope_j = -dot(j.drho_dx, n) * V_j * V_j;
+        const Tile change = (V_i - V_j) / r;
+        const Tile slope_i = straight ? change : -dot(i.drho_dx, n) * V_i * V_i;
+        const Tile slope_j = straight ? change : -dot(j.drho_dx, n) * V_j * V_j;
         return volumes_detail::of_both_h(i, j, r, kernel, CubicAlong{V_i, V_j, slope_i, slope_j, r});
     }
 };

@@ -71,6 +71,12 @@ void steps(report::Run& run, const std::vector<TubeRun>& tubes) {
     const auto count = [](const TubeRun& tube) { return static_cast<double>(tube.counters.steps); };
     const TubeRun stated = run_tube(with_courant(mach(), 0.5), line_methods()["inutsuka"]);
     const TubeRun single = run_tube(mach(), single_precision());
+    TubeScene finer = mach();
+    finer.n *= 2;
+    const TubeRun twice = run_tube(finer, line_methods()["inutsuka"]);
+    run.record("inutsuka", finer.n, steps_of(twice));
+    run.claim(
+        "paper-diffusive", [&] { return count(twice) < 2.1 * count(tubes[0]); }, report::Needs::any_run);
     run.record("inutsuka at 0.5", 120, steps_of(stated));
     run.record("single", 120, single.drifts());
     run.fill("paper-steps", std::to_string(tubes[0].counters.steps));

@@ -1,6 +1,7 @@
 #include "chapters/07_godunov_sph/scenes/uniform_pressure.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/plot/looks.hpp"
 #include "common/plot/method_looks.hpp"
@@ -50,6 +51,16 @@ void uniform_pressure(report::Run& run) {
     panel.legend.outside = true;
     run.save(figure);
     run.fill("uniform-pressure", table.markdown());
+    const Pairing pairs = pairing_under_tension();
+    run.record("pairs under tension", 64,
+               {{"sph", pairs.sph}, {"linear", pairs.linear}, {"cubic", pairs.cubic}});
+    run.fill("tensile-ratio", number(pairs.sph / pairs.cubic, 2));
+    run.claim(
+        "tensile",
+        [&] {
+            return pairs.sph > 5 * pairs.cubic && std::abs(pairs.linear - pairs.cubic) < 1e-9 * pairs.cubic;
+        },
+        report::Needs::any_run);
     run.claim(
         "uniform-smaller", [&] { return small; }, report::Needs::any_run);
     run.claim(

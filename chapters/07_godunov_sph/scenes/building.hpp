@@ -36,11 +36,11 @@ Scheme as_printed(Scheme scheme = {}) {
     scheme.retries = false;
     return scheme;
 }
-/// h as the paper has it   (Inutsuka 2002, 81 and 82), C_smooth = 2.
+/// h as the paper has it   (Inutsuka 2002, 81 and 82): C_smooth = 2 on a line, 1 in the plane.
 template <class K, class Scheme>
-Method<1> with_smooth_h(const Method<1>& described, const Scheme& scheme) {
+Method<K::dimension> with_smooth_h(const Method<K::dimension>& described, const Scheme& scheme) {
     return solving(described, scheme, [](const auto& method) {
-        constexpr double C_smooth = 2;
+        constexpr double C_smooth = K::dimension == 1 ? 2 : 1;
         return SmoothWidth<K>{method.h_over_dx, C_smooth, close_h};
     });
 }

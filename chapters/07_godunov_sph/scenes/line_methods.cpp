@@ -14,7 +14,6 @@ using Recommended = Godunov<ThirdOrder, GeometricVolume, HllcRiemann, ClosingRat
 // [end]
 using WithTwoShocks = Godunov<ThirdOrder, GeometricVolume, TwoShock, ClosingRate>;
 using WithExact = Godunov<ThirdOrder, GeometricVolume, ExactRiemann, ClosingRate>;
-using WithoutRiemann = Godunov<ConstantSides, GeometricVolume, NoRiemann, ClosingRate>;
 using Conducting = Godunov<ThirdOrder, GeometricVolume, HllcRiemann, ClosingRate, Conduction<ContactSpeed>>;
 
 template <class Scheme>
@@ -42,7 +41,6 @@ std::vector<Method<1>> all_methods() {
     all.push_back(variant("two-shock", "the same, two shocks", WithTwoShocks{}));
     all.push_back(variant("exact-riemann", "the same, exact solver", WithExact{}));
     all.push_back(narrow("conducting", "the same, conducting", Conducting{}));
-    all.push_back(variant("no-riemann", "without a Riemann problem", WithoutRiemann{}));
     all.push_back(variant("total-energy", "the same, total energy", of_total_energy()));
     return all;
 }
@@ -52,6 +50,12 @@ std::vector<Method<1>> all_methods() {
 const Methods<1>& line_methods() {
     static const Methods<1> methods{"godunov", all_methods()};
     return methods;
+}
+
+Method<1> with_calm_start(long steps) {
+    Recommended scheme;
+    scheme.calm = steps;
+    return variant("calm-start", "first steps without slopes", scheme);
 }
 
 Method<1> single_precision_energy(bool total) {

@@ -11,12 +11,16 @@ using WideCut = ConvolvedGaussian<1, 3>;  // 3 sqrt2 h, where exp(-9) is left of
 
 // [methods]
 using Paper = Godunov<PaperConstraint, CubicVolume, ExactRiemann, SoundRate>;
-using PaperLinear = Godunov<PaperConstraint, LinearVolume, ExactRiemann, SoundRate>;
 using PaperFirst = Godunov<ConstantSides, CubicVolume, ExactRiemann, SoundRate>;
 using Careful = Godunov<PaperConstraint, CubicVolume, ExactRiemann, ClosingRate>;
 using Limited = Godunov<VanLeer, CubicVolume, ExactRiemann, ClosingRate>;
 // [end]
 
+Paper of_straight_lines() {
+    Paper scheme;
+    scheme.volumes.straight = true;
+    return scheme;
+}
 Method<1> described(const char* name, const char* label) {
     return {name, label, plot::look_of(name), "gaussian", 1.0};
 }
@@ -33,7 +37,7 @@ Method<1> variant(const char* name, const char* label) {
 std::vector<Method<1>> gaussian_methods() {
     return {with_smooth_h<WideCut>(described("inutsuka", "Inutsuka 2002"), as_printed<Paper>()),
             with_smooth_h<WideCut>(variant("inutsuka-linear", "Inutsuka 2002, linear"),
-                                   as_printed<PaperLinear>()),
+                                   as_printed(of_straight_lines())),
             with_smooth_h<WideCut>(variant("inutsuka-first", "Inutsuka 2002, first order"),
                                    as_printed<PaperFirst>()),
             with_smooth_h<Wide>(described("careful", "with careful steps"), Careful{}),

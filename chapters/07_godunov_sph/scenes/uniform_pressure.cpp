@@ -129,6 +129,20 @@ RestingForces resting_forces(const Resting& scene) {
     return found;
 }
 
+Pairing pairing_under_tension() {
+    constexpr double shift = 1e-5;
+    Line line{{.n = 64, .jitter = 0}};
+    for (std::size_t i = 0; i < line.x.size(); ++i) line.x[i] += i % 2 == 0 ? -shift : shift;
+    line.resolve();
+    Pairing found;
+    found.sph = line.rms([&](std::size_t i, std::size_t j, double apart) {
+        const double both = 1 / (line.rho[i] * line.rho[i]) + 1 / (line.rho[j] * line.rho[j]);
+        return both * apart * Kernel::F(std::abs(apart), 1.0);
+    });
+    found.linear = line.rms_of(LinearVolume{}), found.cubic = line.rms_of(CubicVolume{});
+    return {found.sph / shift, found.linear / shift, found.cubic / shift};
+}
+
 Partition partition(const Resting& scene) {
     Line line{scene};
     line.resolve();

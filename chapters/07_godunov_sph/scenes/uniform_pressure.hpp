@@ -25,6 +25,13 @@ struct RestingForces {
 /// Throws std::invalid_argument for a jitter outside [0, 0.5).
 RestingForces resting_forces(const Resting& scene);
 
+/// The force by which pairs close where the pressure is -1 everywhere, over their particles' shift, if every
+/// second particle of an even line is shifted by 1e-5 to either side [1/time^2; P = rho = spacing = 1].
+struct Pairing {
+    double sph = 0, linear = 0, cubic = 0;  ///< as in RestingForces
+};
+Pairing pairing_under_tension();
+
 /// Over a stretch of the line: the sum of (m_j/rho(x)) W, which is 1 (14), that of (m_j/rho_j) W, which
 /// should be (19), and the velocity field (34) of particles that move with sin(2 pi x/12), beside theirs.
 struct Partition {

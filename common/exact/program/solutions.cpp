@@ -7,9 +7,12 @@ std::vector<std::unique_ptr<Solution>> solutions() {
     list.push_back(bar());
     list.push_back(beam());
     list.push_back(burgers());
+    list.push_back(gresho());
     list.push_back(landau());
     list.push_back(noh());
+    list.push_back(oblique_shock());
     list.push_back(plate());
+    list.push_back(prandtl_meyer());
     list.push_back(rarefaction());
     list.push_back(relativistic_riemann());
     list.push_back(riemann());

@@ -9,9 +9,12 @@ namespace exact::program {
 std::unique_ptr<Solution> bar();
 std::unique_ptr<Solution> beam();
 std::unique_ptr<Solution> burgers();
+std::unique_ptr<Solution> gresho();
 std::unique_ptr<Solution> landau();
 std::unique_ptr<Solution> noh();
+std::unique_ptr<Solution> oblique_shock();
 std::unique_ptr<Solution> plate();
+std::unique_ptr<Solution> prandtl_meyer();
 std::unique_ptr<Solution> rarefaction();
 std::unique_ptr<Solution> relativistic_riemann();
 std::unique_ptr<Solution> riemann();
