@@ -2,6 +2,7 @@
 // the schemes beside the paper's.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
 
 #include "chapters/01_kernel_interpolation/gaussians.hpp"
 #include "chapters/01_kernel_interpolation/splines.hpp"
@@ -56,9 +57,16 @@ TEST_CASE("streams slide into waves that grow nearly as the linear theory says")
 }
 
 TEST_CASE("the paper's scheme does not survive Noh's problem in the plane, this chapter's does") {
-    // Fails where the paper's steps know the closing speed, or are taken back.
+    // Its first long step leaves a negative energy. Fails where steps are taken back: then they crawl
+    // instead.
     const shocks::NohScene scene{.n = 12};
-    CHECK_THROWS_AS(run_noh(scene, plane_methods()["inutsuka"]), Unstable);
+    std::string reason;
+    try {
+        run_noh(scene, plane_methods()["inutsuka"]);
+    } catch (const Unstable& stopped) {
+        reason = stopped.what();
+    }
+    CHECK(reason.find("thermal energy") != std::string::npos);
     const shocks::NohRun run = run_noh(scene, plane_methods()["godunov"]);
     CHECK(run.energy_drift < 1e-12);
     CHECK(run.plateau > 8);  // measured: 9.2 of 16
