@@ -60,6 +60,7 @@ class CurvedFluid
     /// From nu, s* and u^a.
     void start(double t) override {
         auto& p = particles;
+        time_ = t;
         this->resolution_.start(p);
         for (std::size_t i = 0; i < p.size(); ++i) {
             const auto metric = metric_.at(t, place(i));
@@ -71,6 +72,7 @@ class CurvedFluid
     }
     /// s*, h, velocity and pressure at the present positions and momenta.
     void resolve(double t) override {
+        time_ = t;
         this->find_density(t);
         this->require_physical_columns(List<MomentumPerCharge, EntropyDensity>{}, t);
         this->team().parallel_for(particles.size(), [&](std::size_t begin, std::size_t end) {
@@ -86,6 +88,7 @@ class CurvedFluid
             metric_.effects(t));
     }
 
+    double resolved_at() const { return time_; }
     const Fluid& fluid() const { return fluid_; }
     const Metric& metric() const { return metric_; }
     /// Gamma = sqrt(1 + g_a u^a u^a), the Lorentz factor that somebody at rest in the coordinates sees.
@@ -168,6 +171,7 @@ class CurvedFluid
 
     Fluid fluid_;
     Metric metric_;
+    double time_ = 0;
 };
 
 }  // namespace sph
