@@ -16,8 +16,10 @@ using transverse::Net;
 using transverse::Node;
 
 constexpr const char* problem = "transverse expansion";
-constexpr int least_levels = 3, most_levels = 5;
-constexpr double accurate = 1e-6;  ///< of T, by the last two extrapolations: enough levels
+constexpr int least_levels = 3, most_levels = 4;
+constexpr int most_levels_if_fast = 6;  ///< for c2 > 0.4, where rapidities near the vacuum grow in few lines
+constexpr double accurate = 1e-6;       ///< of T, by the last two extrapolations: enough levels
+constexpr double outlier = 5e-6;        ///< of T: a row that does not converge
 constexpr std::size_t stencil = 6, least_stencil = 4;
 
 /// The value at x of the polynomial through the points (x_k, y_k), by Neville's scheme.
@@ -78,22 +80,21 @@ Crossings extrapolated(const Crossings& coarse, const Crossings& fine, double ra
     return result;
 }
 
-/// By how much a and b differ in T at a place; their rows also differ in place.
-double difference(const Crossings& a, const Crossings& b, double bjorken) {
-    double worst = 0;
+/// By how much a and b differ in T at a place, row by row; their rows also differ in place.
+std::map<std::size_t, double> differences(const Crossings& a, const Crossings& b, double bjorken) {
+    std::map<std::size_t, double> all;
     const Crossing* before = nullptr;
     for (const auto& [row, value] : b) {
         const auto other = a.find(row);
+        const auto y = [](const Crossing& c) { return (c.psi() + c.phi()) / 2; };
         if (before != nullptr && other != a.end()) {
-            const auto y = [](const Crossing& c) { return (c.psi() + c.phi()) / 2; };
             const double rise = (y(value) - y(*before)) / (value.log_depth() - before->log_depth());
-            const double off =
-                y(value) - y(other->second) - rise * (value.log_depth() - other->second.log_depth());
-            if (std::isfinite(off)) worst = std::max(worst, bjorken * std::exp(y(value)) * std::fabs(off));
+            const double moved = value.log_depth() - other->second.log_depth();
+            all[row] = bjorken * std::exp(y(value)) * std::fabs(y(value) - y(other->second) - rise * moved);
         }
         before = &value;
     }
-    return worst;
+    return all;
 }
 
 struct Extrapolation {
@@ -101,19 +102,32 @@ struct Extrapolation {
     double error;
 };
 
-/// Errors are series in the square of the lines' distance.
+/// Errors are series in the square of the lines' distance. Rows that become late in one long step, as some
+/// near the vacuum, do not obey this, and are left out.
 Extrapolation extrapolate(const TransverseFlow& flow, const Net::Late& late, double age, double bjorken) {
     std::vector<Crossings> column;  // the last row of Richardson's table, least extrapolated first
-    double error = 0;
-    for (int level = 0; level < most_levels; ++level) {
+    Extrapolation best{{}, 0};
+    const int most = flow.c2 > 0.4 ? most_levels_if_fast : most_levels;
+    for (int level = 0; level < most; ++level) {
         std::vector<Crossings> next{crossings({flow.radius, flow.tau0, flow.c2, level}, late, age)};
         double ratio = 1;
         for (const Crossings& coarse : column) next.push_back(extrapolated(coarse, next.back(), ratio *= 4));
-        if (level > 0) error = difference(column.back(), next.back(), bjorken);
+        if (level + 1 >= least_levels) {
+            best = {{}, 0};
+            std::size_t left_out = 0;
+            for (const auto& [row, error] : differences(column.back(), next.back(), bjorken)) {
+                if (error < outlier) {
+                    best.rows[row] = next.back()[row];
+                    best.error = std::fmax(best.error, error);
+                } else {
+                    ++left_out;
+                }
+            }
+            if (left_out == 0 && best.error < accurate) break;
+        }
         column = std::move(next);
-        if (level + 1 >= least_levels && error < accurate) break;
     }
-    return {std::move(column.back()), error};
+    return best;
 }
 
 constexpr std::size_t unreliable = 5;  ///< rows after the first, which is plane flow until it meets all lines
@@ -237,8 +251,7 @@ std::vector<SurfaceEvent> freeze_out_surface(const TransverseFlow& flow, double 
     std::vector<SurfaceEvent> events{{flow.tau0, flow.radius}};
     for (const auto& [row, line] : rows) {
         const double at = std::exp(line.log_age());
-        if (flow.tau0 + at > events.back().tau)
-            events.push_back({flow.tau0 + at, flow.radius + (at - std::exp(line.log_depth()))});
+        events.push_back({flow.tau0 + at, flow.radius + (at - std::exp(line.log_depth()))});
     }
     if (flow.tau0 + age <= flow.axis_time()) {
         events.push_back({flow.tau0 + age, flow.head(flow.tau0 + age)});
