@@ -48,7 +48,7 @@ bool PlaneCommand::listed(report::Run& run) const {
 }
 
 void PlaneCommand::run_flow(report::Run& run, const Flow& flow, bool with_eps) const {
-    app::require_above("time", time_, flow.tau0, "the proper time tau0 at which the scene begins");
+    app::require_above("time", time_, flow.tau0, "with this tau0");
     const PlaneMethod method = method_.chosen();
     report::tell(run, method);
     const PlaneScene scene{.n = static_cast<std::size_t>(particles_),
