@@ -14,7 +14,7 @@ void bjorken(report::Run& run) {
     plot::Panel& u = figure.at(0, 1).log_log().labels("τ", "$u^x$");
     u.legend.shown = false;
     std::vector<double> times;
-    for (int k = 1; k <= 12; ++k) times.push_back(std::pow(100, k / 12.0));
+    for (int k = 1; k <= 9; ++k) times.push_back(std::pow(8, k / 9.0));
     double worst = 0, slowest = 1;
     std::size_t look = 0;
     for (const double u0 : {0.0, 0.3, 1.0}) {

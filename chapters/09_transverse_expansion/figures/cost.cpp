@@ -13,7 +13,7 @@ std::vector<report::Contestant> contestants(bool quick) {
     std::vector<report::Contestant> all;
     const Flow flow = cylinder(10, 1, 1.0 / 3);
     for (const PlaneMethod& method :
-         plane_methods().named({"hexagonal", "spiral-solved", "graded", "spiral-graded"})) {
+         plane_methods().named({"hexagonal", "spiral-solved", "grad-h", "spiral-graded"})) {
         std::vector<std::size_t> sizes{625, 1250, 2500, 5000, 10000};
         if (method.name == plane_methods().recommended().name)
             sizes = {625, 1250, 2500, 5000, 10000, 20000, 40000};

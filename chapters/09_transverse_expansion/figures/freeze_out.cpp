@@ -23,7 +23,8 @@ void freeze_out(report::Run& run) {
     const exact::TransverseFlow solution{10, 1, 1.0 / 3};
     const Flow flow = cylinder(10, 1, 1.0 / 3);
     PlaneScene scene{.n = run.quick() ? 1000UL : 10000UL, .times = {}};
-    for (int k = 1; k <= 22; ++k) scene.times.push_back(1 + k);
+    for (int k = 1; k <= (run.quick() ? 3 : 11); ++k) scene.times.push_back(1 + 2 * k);
+    scene.times.insert(scene.times.begin(), {1.001, 2});
     const auto shots = run_plane(flow, scene, plane_methods().recommended());
     plot::Figure figure{"freeze-out", 1, 2};
     plot::Panel& paths = figure.at(0, 0).labels("$r$", "τ").x_range(0, 32).y_range(1, 24);
@@ -47,12 +48,12 @@ void freeze_out(report::Run& run) {
         if (!(r > 0)) continue;
         found_tau.push_back(shot.time), radius.push_back(r);
         // The outermost place of the exact one at this tau.
-        const exact::TransverseProfile profile{solution, shot.time};
+        const FlowProfile profile = flow.exact(shot.time);
         double low = 0, high = solution.edge(shot.time);
-        if (profile.at(0).temperature < freeze) continue;
+        if (profile(0).temperature < freeze) continue;
         for (int k = 0; k < 60; ++k) {
             const double middle = (low + high) / 2;
-            (profile.at(middle).temperature > freeze ? low : high) = middle;
+            (profile(middle).temperature > freeze ? low : high) = middle;
         }
         tau.push_back(shot.time), error.push_back(r - low);
         if (low > 1) worst = std::max(worst, std::abs(r - low));

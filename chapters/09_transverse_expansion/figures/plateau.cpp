@@ -9,7 +9,7 @@ namespace sph::transverse {
 
 /// Three dimensions, seen at eta = 0.
 void plateau(report::Run& run) {
-    const PlateauScene scene{.per_layer = run.quick() ? 60UL : 300UL, .time = run.quick() ? 2.0 : 4.0};
+    const PlateauScene scene{.per_layer = run.quick() ? 60UL : 800UL, .time = run.quick() ? 2.0 : 4.0};
     const PlateauRun space = run_plateau(scene);
     const FlowProfile exact = cylinder(10, 1, 1.0 / 3).exact(scene.time);
     plot::Figure figure{"plateau", 1, 2};

@@ -81,8 +81,8 @@ std::unique_ptr<Integrated<2>> event_fluid(const EventScene& scene) {
         s_star.push_back(scene.tau0 * s), nu.push_back(disc.area[i] * scene.tau0 * s);
     }
     const PlaneMethod& method = plane_methods().recommended();
-    auto fluid =
-        method.make({nu.size(), EventScene::reach, 1.0 / 3, x, scene.courant, Order::fourth, scene.threads});
+    auto fluid = method.make(
+        {nu.size(), EventScene::reach, 1.0 / 3, x, scene.courant, Order::fourth, true, scene.threads});
     fluid->get<Position>() = x;
     fluid->get<Entropy>() = nu;
     solve_masses(*fluid, s_star, scene.tau0, 0);

@@ -17,8 +17,8 @@ std::vector<std::pair<std::string, report::ListedPass>> listed_passes() {
     list("density", ConstantH<K>{h_over_dx / 64, wendland}, Of::Counted<SummedDensity>{});
     list("density and its slope with own h", OwnH<K>{wendland}, Of::Counted<SummedDensity>{},
          Of::Counted<DensitySlope>{});
-    list("force, one h", ConstantH<K>{h_over_dx / 64, wendland}, Of::Counted<PressureForce<>>{});
-    list("force, both h", BothH<K>{wendland}, Of::Counted<PressureForce<>>{});
+    list("force with one h", ConstantH<K>{h_over_dx / 64, wendland}, Of::Counted<PressureForce<>>{});
+    list("force with both h", BothH<K>{wendland}, Of::Counted<PressureForce<>>{});
     list("force with grad-h terms", BothH<K>{wendland}, Of::Counted<GradHForce>{});
     list("corrected gradient", BothH<K>{wendland}, CorrectedForce{});
     return passes;

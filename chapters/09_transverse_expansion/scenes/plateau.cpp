@@ -17,7 +17,7 @@ using SpaceFluid = CurvedFluid<SpaceResolution, ConformalFluid, Hyperbolic>;
 /// Layers of one spiral, each turned against the one below; eta in units of `unit`, in which layers are as
 /// far apart as particles of a layer are at the start.
 std::unique_ptr<SpaceFluid> plateau_fluid(const PlateauScene& scene, const Disc& disc, double unit) {
-    constexpr double h_over_dx = 1.6, close = 1e-4, turn = 0.7;  // [rad], no multiple of the golden angle
+    constexpr double h_over_dx = 1.8, close = 1e-4, turn = 0.7;  // [rad], no multiple of the golden angle
     const double spacing = PlateauScene::R * std::sqrt(pi / static_cast<double>(scene.per_layer));
     const auto layers = static_cast<std::size_t>(std::lround(2 * scene.half * unit / spacing));
     const double height = 2 * scene.half * unit / static_cast<double>(layers);
@@ -58,9 +58,9 @@ std::unique_ptr<SpaceFluid> plateau_fluid(const PlateauScene& scene, const Disc&
 }  // namespace
 
 PlateauRun run_plateau(const PlateauScene& scene) {
-    constexpr double unit = 4, thin = 0.1;
+    constexpr double unit = 3, thin = 0.1;
     const Flow flow = cylinder(PlateauScene::R, PlateauScene::tau0, 1.0 / 3);
-    const PlaneMethod& method = plane_methods().recommended();
+    const PlaneMethod& method = plane_methods()["spiral-solved"];
     const PlaneScene plane{.n = scene.per_layer, .times = {scene.time}, .threads = scene.threads};
     const Snapshot flat = run_plane(flow, plane, method).back();
     const auto start = plane_fluid(flow, plane, method);

@@ -6,8 +6,8 @@
 namespace sph::transverse {
 
 struct PlateauScene {
-    std::size_t per_layer = 300;  ///< particles of each layer of one eta
-    double half = 2;              ///< the plateau is |eta| < half, vacuum beyond
+    std::size_t per_layer = 800;  ///< particles of each layer of one eta
+    double half = 1.6;            ///< the plateau is |eta| < half, vacuum beyond
     double time = 4;
     double courant = 0.7;
     int threads = 1;
