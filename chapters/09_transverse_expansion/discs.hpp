@@ -55,7 +55,6 @@ inline Disc ring_disc(std::size_t n, double R) {
     return disc;
 }
 
-// [spiral]
 /// Vogel's spiral: point k at k golden angles and at the radius inside which so many points have their place.
 /// spacing(r) > 0: their distances at r, up to a factor that n decides. Wherever it changes slowly, cells are
 /// round: the golden angle keeps neighbours apart at every radius.
@@ -74,15 +73,16 @@ inline Disc spiral_disc(std::size_t n, double R, const std::function<double(doub
         const auto k = static_cast<std::size_t>(above - inside.begin());
         return dr * (static_cast<double>(k) - (inside[k] - wanted) / (inside[k] - inside[k - 1]));
     };
+    // [spiral]
     Disc disc;
     for (std::size_t k = 0; k < n; ++k) {
         const auto place = static_cast<double>(k);
         const double inner = radius(place), outer = radius(place + 1);
         disc.add(radius(place + 0.5), golden * place, pi * (outer * outer - inner * inner));
     }
+    // [end]
     return disc;
 }
-// [end]
 
 /// 1 inside, and towards the edge of a disc of radius R proportional to the square root of the distance, as
 /// chapter 8's slab has it: from half the radius on, and an eighth at the edge.

@@ -11,7 +11,7 @@ namespace sph::transverse {
 void bjorken(report::Run& run) {
     plot::Figure figure{"bjorken", 1, 2};
     plot::Panel& T = figure.at(0, 0).log_log().labels("τ", "$T$/$T$_{0}");
-    plot::Panel& u = figure.at(0, 1).log_log().labels("τ", "$u^x$");
+    plot::Panel& u = figure.at(0, 1).log_log().labels("τ", "$u$^{x}");
     u.legend.shown = false;
     std::vector<double> times;
     for (int k = 1; k <= 9; ++k) times.push_back(std::pow(8, k / 9.0));

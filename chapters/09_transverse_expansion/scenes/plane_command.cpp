@@ -25,7 +25,7 @@ void draw(report::Run& run, const Flow& flow, const Snapshot& shot, bool with_ep
     plot::Figure figure{flow.name + "-scene", 1, 2};
     plot::beside_exact(figure.at(0, 0).labels("$r$", with_eps ? "ε" : "$T$/$T$_{0}"), r, first, shot.r,
                        with_eps ? shot.eps : shot.temperature);
-    plot::beside_exact(figure.at(0, 1).labels("$r$", "$u^r$"), r, u, shot.r, shot.u_r);
+    plot::beside_exact(figure.at(0, 1).labels("$r$", "$u$^{r}"), r, u, shot.r, shot.u_r);
     figure.at(0, 1).legend.shown = false;
     run.save(figure);
 }
