@@ -82,7 +82,7 @@ void cost(report::Run& run) {
     const Track& best = named("spiral-graded");
     run.fill("cost-order", fixed(2 * best.order(), 1));
     run.claim("cost-order", [&] { return 2 * best.order() > 0.8 && best.error.back() < 2.5e-3; });
-    run.claim("cost-fast", [&] { return best.seconds[4] < 60; });
+    run.claim("cost-fast", [&] { return best.seconds[4] < 10; });
     run.claim("grid-wins", [&] {
         return named("grid").error.back() < best.error.back() &&
                named("grid").seconds.back() < best.seconds.back();
