@@ -16,7 +16,7 @@ namespace sph::transverse {
 namespace {
 
 using AirKernel = AnyKernel<1>;
-constexpr std::size_t wall = 8;  ///< held particles beyond each end, more than a kernel reaches
+constexpr std::size_t wall_particles = 8;  ///< held particles beyond each end, more than a kernel reaches
 
 // [atmosphere]
 using AirResolution = ConsistentH<AirKernel, OfCurvedEntropy>;
@@ -24,19 +24,19 @@ using Air = CurvedFluid<AirResolution, ConformalFluid, Rindler>;
 
 std::unique_ptr<Air> air_of(const AtmosphereScene& scene, double sign) {
     constexpr double h_over_dx = 1.5, close = 1e-8;
-    const std::size_t all = scene.n + 2 * wall;
+    const std::size_t all = scene.n + 2 * wall_particles;
     auto air = std::make_unique<Air>(all, AirResolution{HRule{h_over_dx}, close, AirKernel{"wendland-c4"}},
                                      ConformalFluid{scene.c2}, Rindler{scene.a, scene.c2, sign}, Free{},
                                      scene.threads);
     const double dx = (scene.top - scene.bottom) / static_cast<double>(scene.n);
     for (std::size_t i = 0; i < all; ++i) {
-        const double x = scene.bottom + (static_cast<double>(i) - wall + 0.5) * dx;
+        const double x = scene.bottom + (static_cast<double>(i) - wall_particles + 0.5) * dx;
         air->particles.x[0][i] = x;
         air->particles.s_star[i] = std::pow(x, -1 / scene.c2);  // at rest s* = s = T^(1/c2)
         air->particles.nu[i] = air->particles.s_star[i] * dx;
     }
-    air->particles.groups.hold("bottom", 0, wall);
-    air->particles.groups.hold("top", wall + scene.n, all);
+    air->particles.groups.hold("bottom", 0, wall_particles);
+    air->particles.groups.hold("top", wall_particles + scene.n, all);
     air->start(0);
     air->template integrate_by<RungeKutta4>();
     air->limit_steps(
@@ -46,36 +46,36 @@ std::unique_ptr<Air> air_of(const AtmosphereScene& scene, double sign) {
 // [end]
 
 /// dq/dt of the free particles at places x, from rest.
-Eigen::VectorXd forces(Air& air, const Eigen::VectorXd& x) {
-    std::copy(x.begin(), x.end(), air.particles.x[0].begin() + wall);
+Eigen::VectorXd air_forces(Air& air, const Eigen::VectorXd& x) {
+    std::copy(x.begin(), x.end(), air.particles.x[0].begin() + wall_particles);
     air.rates(0);
-    return Eigen::Map<const Eigen::VectorXd>{air.particles.dq_dt[0].data() + wall, x.size()};
+    return Eigen::Map<const Eigen::VectorXd>{air.particles.dq_dt[0].data() + wall_particles, x.size()};
 }
 
 /// Moves the free particles to where there is no force; returns the largest one left.
-double settle(Air& air, std::size_t n, double dx) {
+double settle_air(Air& air, std::size_t n, double dx) {
     constexpr int most = 30;
     constexpr double none = 1e-13;
     const auto size = static_cast<Eigen::Index>(n);
-    Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>{air.particles.x[0].data() + wall, size};
-    Eigen::VectorXd force = forces(air, x);
+    Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>{air.particles.x[0].data() + wall_particles, size};
+    Eigen::VectorXd force = air_forces(air, x);
     Eigen::MatrixXd slopes(size, size);
     for (int k = 0; k < most && force.cwiseAbs().maxCoeff() > none; ++k) {
         const double shift = 1e-4 * dx;
         for (Eigen::Index i = 0; i < size; ++i) {
             Eigen::VectorXd left = x, right = x;
             left[i] -= shift, right[i] += shift;
-            slopes.col(i) = (forces(air, right) - forces(air, left)) / (2 * shift);
+            slopes.col(i) = (air_forces(air, right) - air_forces(air, left)) / (2 * shift);
         }
         Eigen::VectorXd step = slopes.partialPivLu().solve(-force);
         const double longest = step.cwiseAbs().maxCoeff();
         if (longest > 0.2 * dx) step *= 0.2 * dx / longest;
         const Eigen::VectorXd next = x + step;
-        const Eigen::VectorXd left_over = forces(air, next);
+        const Eigen::VectorXd left_over = air_forces(air, next);
         if (longest < 1e-6 * dx && left_over.cwiseAbs().maxCoeff() >= force.cwiseAbs().maxCoeff()) break;
         x = next, force = left_over;
     }
-    return forces(air, x).cwiseAbs().maxCoeff();
+    return air_forces(air, x).cwiseAbs().maxCoeff();
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ Atmosphere run_atmosphere(const AtmosphereScene& scene) {
     const double height = scene.top - scene.bottom, dx = height / static_cast<double>(scene.n);
     Atmosphere found;
     const auto settled = air_of(scene, -1);
-    found.settled = settle(*settled, scene.n, dx);
+    found.settled = settle_air(*settled, scene.n, dx);
     const auto air = air_of(scene, scene.sign);
     air->particles.x = settled->particles.x;
     air->particles.s_star = settled->particles.s_star;
@@ -103,14 +103,14 @@ Atmosphere run_atmosphere(const AtmosphereScene& scene) {
                              require_order(x, now);
                          }).seconds;
         double moved = 0;
-        for (std::size_t i = wall; i < wall + scene.n; ++i)
+        for (std::size_t i = wall_particles; i < wall_particles + scene.n; ++i)
             moved = std::max(moved, std::abs(x[i] - start[i]));
         found.times.push_back(share);
         found.moved.push_back(moved / height);
     }
     air->resolve(t);
     double difference = 0, whole = 0;
-    for (std::size_t i = wall; i < wall + scene.n; ++i) {
+    for (std::size_t i = wall_particles; i < wall_particles + scene.n; ++i) {
         const double T = std::pow(air->entropy(i, t), scene.c2), exact = 1 / x[i];
         found.x.push_back(x[i]);
         found.temperature.push_back(T);

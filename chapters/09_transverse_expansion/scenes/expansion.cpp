@@ -59,7 +59,8 @@ std::unique_ptr<Integrated<2>> plane_fluid(const Flow& flow, const PlaneScene& s
                                            const PlaneMethod& method) {
     const Disc disc = places_of(flow, scene, method.places);
     const std::size_t n = disc.area.size();
-    auto fluid = method.make({n, flow.radius, flow.c2, disc.x, scene.courant, scene.order, scene.threads});
+    auto fluid = method.make(
+        {n, flow.radius, flow.c2, disc.x, scene.courant, scene.order, scene.careful, scene.threads});
     Column& s_star = fluid->get<EntropyDensity>();
     double total = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -99,7 +100,7 @@ Snapshot snapshot_of(const Integrated<2>& fluid, const Flow& flow, double tau) {
         difference_T += area * std::abs(T - state.temperature), sum_T += area * state.temperature;
         difference_eps += area * std::abs(s * T - exact_eps), sum_eps += area * exact_eps;
         difference_u += area * std::abs(u - state.u_r), sum_u += area * state.u_r;
-        if (r < flow.window / 20) shot.axis = std::max(shot.axis, std::abs(T / state.temperature - 1));
+        if (r < flow.window / 10) shot.axis = std::max(shot.axis, std::abs(T / state.temperature - 1));
     }
     shot.l1_temperature = difference_T / sum_T;
     shot.l1_eps = difference_eps / sum_eps;

@@ -23,6 +23,7 @@ struct PlaneSetup {
     Columns<2> x{};  ///< where they begin
     double courant = 0.7;
     Order order = Order::fourth;
+    bool careful = true;  ///< steps that grow from a small one and know tau
     int threads = 1;
 };
 /// How the plane is resolved. h_over_dx counts in sqrt(nu/s*), or, where h is fixed, in the mean spacing at
@@ -48,6 +49,7 @@ struct PlaneScene {
     std::vector<double> times;  ///< increasing, > tau0
     double courant = 0.7;       ///< step over the time in which sound crosses an h
     Order order = Order::fourth;
+    bool careful = true;
     long steps = 0;  ///< > 0: so many equal steps to each of the times
     std::uint64_t seed = 1;
     int threads = 1;
@@ -61,7 +63,7 @@ struct Snapshot {
     Column area, h;
     /// By area in r < window: sum |f - f_exact| dA/sum f_exact dA; l1_u is 0 where nothing moves.
     double l1_temperature = 0, l1_eps = 0, l1_u = 0;
-    double axis = 0;      ///< largest |T/T_exact - 1| in r < window/20
+    double axis = 0;      ///< largest |T/T_exact - 1| in r < window/10
     double momentum = 0;  ///< |sum nu (q - q(tau0))|/sum nu |q|
     double entropy = 0;   ///< sum nu over the exact one, less 1; 0 where the flow has no edge
     double seconds = 0;   ///< CPU time of the steps until here

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 
 #include "chapters/09_transverse_expansion/discs.hpp"
@@ -14,9 +15,11 @@ Flow cylinder(double R, double tau0, double c2) {
     Flow flow{"cylinder", tau0, c2, R, R, true, {}, {}, {}};
     flow.spacing = [R](double r) { return graded_spacing(r, R); };
     flow.start = [](double) { return FlowState{1, 0}; };
-    flow.exact = [=](double tau) -> FlowProfile {
-        const auto profile =
-            std::make_shared<exact::TransverseProfile>(exact::TransverseFlow{R, tau0, c2}, tau);
+    using Kept = std::map<double, std::shared_ptr<const exact::TransverseProfile>>;
+    flow.exact = [kept = std::make_shared<Kept>(),
+                  solution = exact::TransverseFlow{R, tau0, c2}](double tau) -> FlowProfile {
+        auto& profile = (*kept)[tau];
+        if (!profile) profile = std::make_shared<exact::TransverseProfile>(solution, tau);
         return [profile](double r) {
             const auto state = profile->at(r);
             return FlowState{state.temperature, std::sinh(state.rapidity)};

@@ -18,6 +18,7 @@ struct Flow {
     bool has_edge = false;                    ///< vacuum begins at the radius: the whole entropy is known
     std::function<double(double r)> spacing;  ///< where a graded spiral puts its particles
     FlowProfile start;                        ///< at tau0, for r <= radius
+    /// Profiles of the cylinder are kept: a flow and its copies compute each tau once.
     std::function<FlowProfile(double tau)> exact;
 };
 

@@ -83,7 +83,7 @@ LineProfile line_profile(const Integrated<1>& fluid, const LineScene& scene, dou
 struct KernelAt {
     double W, slope;
 };
-KernelAt cubic(double x, double h) {
+KernelAt cubic_at(double x, double h) {
     const double q = std::abs(x) / h, one = std::max(0.0, 1 - q), two = std::max(0.0, 2 - q);
     const double W = (two * two * two - 4 * one * one * one) / (6 * h);
     const double dq = (-3 * two * two + 12 * one * one) / (6 * h * h);
@@ -127,7 +127,7 @@ double unpaired_force(std::size_t n, bool inside) {
     const auto r = [&](std::size_t i) { return (static_cast<double>(i) + 0.5) * dr; };
     const auto pairs_of = [&](std::size_t i, const auto& visit) {
         const std::size_t last = std::min(n - 1, i + far);
-        for (std::size_t j = i - std::min(i, far); j <= last; ++j) visit(j, cubic(r(i) - r(j), h));
+        for (std::size_t j = i - std::min(i, far); j <= last; ++j) visit(j, cubic_at(r(i) - r(j), h));
     };
     Column s(n);
     for (std::size_t i = 0; i < n; ++i)

@@ -3,6 +3,7 @@
 #include "common/app/option_text.hpp"
 #include "common/app/parameters.hpp"
 #include "common/plot/looks.hpp"
+#include "common/report/comparison.hpp"
 
 namespace sph::transverse {
 namespace {

@@ -5,6 +5,7 @@
 #include "chapters/01_kernel_interpolation/any_kernel.hpp"
 #include "common/exact/transverse.hpp"
 #include "common/plot/looks.hpp"
+#include "common/report/comparison.hpp"
 
 namespace sph::transverse {
 namespace {

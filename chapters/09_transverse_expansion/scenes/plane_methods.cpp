@@ -12,7 +12,7 @@ using Of = OfCurvedEntropy;
 
 // [fluid]
 /// Steps grow by a tenth from a small first one, as chapter 8's, because the edge starts from rest; and none
-/// is longer than a tenth of tau, in which the coordinates themselves change.
+/// is longer than a tenth of tau, in which the coordinates themselves change: unless the steps are careless.
 template <class Resolution>
 std::unique_ptr<Integrated<2>> plane_of(const PlaneSetup& setup, Resolution resolution) {
     constexpr double first_step = 0.05, growth = 1.1, share_of_tau = 0.1;
@@ -24,30 +24,33 @@ std::unique_ptr<Integrated<2>> plane_of(const PlaneSetup& setup, Resolution reso
     } else {
         fluid->template integrate_by<RungeKutta2>();
     }
-    fluid->limit_steps([&plane = *fluid, courant = setup.courant, longest = 0.0]() mutable {
-        const double tau = plane.resolved_at();
-        const double allowed = std::min(courant * plane.crossing_time(tau), share_of_tau * tau);
-        longest = longest > 0 ? std::min(growth * longest, allowed) : first_step * allowed;
-        return longest;
-    });
+    fluid->limit_steps(
+        [&plane = *fluid, courant = setup.courant, careful = setup.careful, longest = 0.0]() mutable {
+            const double tau = plane.resolved_at();
+            const double crossing = courant * plane.crossing_time(tau);
+            if (!careful) return crossing;
+            const double allowed = std::min(crossing, share_of_tau * tau);
+            longest = longest > 0 ? std::min(growth * longest, allowed) : first_step * allowed;
+            return longest;
+        });
     return fluid;
 }
 // [end]
 
 using Build = std::function<std::unique_ptr<Integrated<2>>(const report::Method<Integrated<2>, PlaneSetup>&,
                                                            const PlaneSetup&)>;
-const Build with_fixed_h = [](const auto& method, const PlaneSetup& setup) {
+const Build fixed = [](const auto& method, const PlaneSetup& setup) {
     const double spacing = setup.radius * std::sqrt(pi / static_cast<double>(setup.n));
     return plane_of(setup, FixedH<K, Of>{method.h_over_dx * spacing, K{method.kernel}});
 };
 constexpr double close = 1e-4;  // what is left is its square; neither entropy nor momentum hangs on h
-const Build with_own_h = [](const auto& method, const PlaneSetup& setup) {
+const Build with_omega = [](const auto& method, const PlaneSetup& setup) {
     return plane_of(setup, ConsistentH<K, Of>{HRule{method.h_over_dx}, close, K{method.kernel}});
 };
-const Build with_own_h_without_omega = [](const auto& method, const PlaneSetup& setup) {
+const Build own = [](const auto& method, const PlaneSetup& setup) {
     return plane_of(setup, WithoutOmega<K, Of>{HRule{method.h_over_dx}, close, K{method.kernel}});
 };
-const Build with_corrected_gradient = [](const auto& method, const PlaneSetup& setup) {
+const Build corrected = [](const auto& method, const PlaneSetup& setup) {
     return plane_of(setup, CorrectedH<K>{HRule{method.h_over_dx}, close, K{method.kernel}});
 };
 
@@ -63,17 +66,15 @@ const report::Methods<PlaneMethod>& plane_methods() {
     // [methods]
     static const report::Methods<PlaneMethod> methods{
         "spiral-graded",
-        {method("fixed-h", "fixed $h$, hexagonal", "fixed-h", with_fixed_h, hexagonal, false),
-         method("hexagonal", "hexagonal", "variable", with_own_h, hexagonal, false),
-         method("rings", "rings", "rings", with_own_h, rings, false),
-         method("relaxed", "relaxed", "relaxed", with_own_h, relaxed, false),
-         method("spiral", "spiral", "spiral", with_own_h, spiral, false),
-         method("spiral-solved", "spiral, masses solved", "spiral-solved", with_own_h, spiral, true),
-         method("graded", "spiral, solved, graded", "graded", with_own_h, graded, true),
-         method("spiral-graded", "the same, no grad-h terms", "spiral-graded", with_own_h_without_omega,
-                graded, true),
-         method("corrected", "graded, corrected gradients", "linear", with_corrected_gradient, graded,
-                true)}};
+        {method("fixed-h", "fixed $h$, hexagonal", "fixed-h", fixed, hexagonal, false),
+         method("hexagonal", "hexagonal", "variable", own, hexagonal, false),
+         method("rings", "rings", "rings", own, rings, false),
+         method("relaxed", "relaxed", "relaxed", own, relaxed, false),
+         method("spiral", "spiral", "spiral", own, spiral, false),
+         method("spiral-solved", "spiral, solved", "spiral-solved", own, spiral, true),
+         method("spiral-graded", "spiral, solved, graded", "spiral-graded", own, graded, true),
+         method("grad-h", "the last with grad-h terms", "graded", with_omega, graded, true),
+         method("corrected", "the last but one, corrected", "linear", corrected, graded, true)}};
     // [end]
     return methods;
 }
