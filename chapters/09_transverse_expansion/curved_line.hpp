@@ -37,6 +37,8 @@ struct Weight {
     }
 };
 
+// [end]
+
 /// (tau, r), where nothing depends on phi and eta: ds^2 = dtau^2 - dr^2 - r^2 dphi^2 - tau^2 deta^2, so
 /// sqrt(-g) = tau r. For r > 0.
 struct Cylindrical {
@@ -60,9 +62,7 @@ struct Rindler {
         return std::tuple{VolumeGradient<Rindler>{*this}, Weight<Rindler>{*this, c2, sign}};
     }
 };
-// [end]
 
-// [axis]
 /// Images of the particles behind the axis r = 0, with `share` of their entropy. s* = tau r s u^0 is odd in
 /// r: images with share -1 continue it as it is, but a ring and its image attract each other and become
 /// nothing on the axis. With 1, mirror images, rings keep away from it, and s* gets the corner of |r|.
@@ -76,6 +76,5 @@ inline auto behind_the_axis(double share) {
     };
     return GhostsOf{make, set};
 }
-// [end]
 
 }  // namespace sph
