@@ -38,8 +38,8 @@ plot::Values ring_errors(const LineProfile& profile) {
 }
 
 /// Every fifth ring within R, beside the exact line.
-void draw_rings(plot::Panel& panel, const LineProfile& profile, plot::Style look, bool labelled) {
-    const exact::TransverseProfile solution{{}, profile.time};
+void draw_rings(plot::Panel& panel, const LineProfile& profile, const exact::TransverseProfile& solution,
+                plot::Style look, bool labelled) {
     plot::draw_exact(
         panel, 0, 10, [&](double r) { return solution.at(r).temperature; },
         plot::exact(labelled ? "exact" : ""));
@@ -54,17 +54,20 @@ void draw_rings(plot::Panel& panel, const LineProfile& profile, plot::Style look
 
 void rings(report::Run& run) {
     const Counts counts = run.quick() ? Counts{50, 100} : Counts{100, 200, 400};
+    const std::vector<double> times =
+        run.quick() ? std::vector<double>{5, 10} : std::vector<double>{5, 10, 15, 20};
+    const auto solutions = exact_lines({}, times);
     std::map<std::size_t, std::vector<LineProfile>> all;
     for (const std::size_t n : counts) {
-        all[n] = run_line({.n = n, .times = {5, 10, 15, 20}});
+        all[n] = run_line({.n = n}, solutions);
         for (const LineProfile& profile : all[n])
             run.record("rings tau=" + report::number(profile.time, 2), n, profile.measured());
     }
     const auto &coarse = all.at(counts.front()), &fine = all.at(counts.back());
     plot::Figure figure{"rings", 1, 2};
     plot::Panel& left = figure.at(0, 0).labels("$r$", "$T$/$T$_{0}").x_range(0, 10);
-    for (const LineProfile& profile : fine)
-        draw_rings(left, profile, plot::dots(many_rings(counts.back()), 3), &profile == &fine.front());
+    for (std::size_t k = 0; k < fine.size(); ++k)
+        draw_rings(left, fine[k], solutions[k], plot::dots(many_rings(counts.back()), 3), k == 0);
     plot::Panel& right = figure.at(0, 1).titled("τ = 10").labels("$r$", "|$T$/$T$_{exact} – 1|").log_y();
     right.x_range(0, 10).y_range(1e-5, 0.5);
     right.points(coarse[1].r, ring_errors(coarse[1]), plot::dots(few_rings(counts.front()), 3.5));

@@ -1,6 +1,5 @@
 #include "chapters/09_transverse_expansion/scenes/atmosphere.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 #include "chapters/08_landau_model/fluids.hpp"
 #include "chapters/09_transverse_expansion/curved_line.hpp"
 #include "common/app/error.hpp"
+#include "common/core/dense.hpp"
 #include "common/core/unstable.hpp"
 #include "common/plot/looks.hpp"
 
@@ -46,36 +46,50 @@ std::unique_ptr<Air> air_of(const AtmosphereScene& scene, double sign) {
 // [end]
 
 /// dq/dt of the free particles at places x, from rest.
-Eigen::VectorXd air_forces(Air& air, const Eigen::VectorXd& x) {
+Column air_forces(Air& air, const Column& x) {
     std::copy(x.begin(), x.end(), air.particles.x[0].begin() + wall_particles);
     air.rates(0);
-    return Eigen::Map<const Eigen::VectorXd>{air.particles.dq_dt[0].data() + wall_particles, x.size()};
+    const auto first = air.particles.dq_dt[0].begin() + wall_particles;
+    return Column(first, first + static_cast<std::ptrdiff_t>(x.size()));
 }
 
-/// Moves the free particles to where there is no force; returns the largest one left.
-double settle_air(Air& air, std::size_t n, double dx) {
-    constexpr int most = 30;
-    constexpr double none = 1e-13;
-    const auto size = static_cast<Eigen::Index>(n);
-    Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>{air.particles.x[0].data() + wall_particles, size};
-    Eigen::VectorXd force = air_forces(air, x);
-    Eigen::MatrixXd slopes(size, size);
-    for (int k = 0; k < most && force.cwiseAbs().maxCoeff() > none; ++k) {
-        const double shift = 1e-4 * dx;
-        for (Eigen::Index i = 0; i < size; ++i) {
-            Eigen::VectorXd left = x, right = x;
-            left[i] -= shift, right[i] += shift;
-            slopes.col(i) = (air_forces(air, right) - air_forces(air, left)) / (2 * shift);
-        }
-        Eigen::VectorXd step = slopes.partialPivLu().solve(-force);
-        const double longest = step.cwiseAbs().maxCoeff();
-        if (longest > 0.2 * dx) step *= 0.2 * dx / longest;
-        const Eigen::VectorXd next = x + step;
-        const Eigen::VectorXd left_over = air_forces(air, next);
-        if (longest < 1e-6 * dx && left_over.cwiseAbs().maxCoeff() >= force.cwiseAbs().maxCoeff()) break;
-        x = next, force = left_over;
+double largest(const Column& values) {
+    double most = 0;
+    for (const double value : values) most = std::max(most, std::abs(value));
+    return most;
+}
+
+/// d force/dx by differences over 2 shift.
+Dense air_slopes(Air& air, Column x, double shift) {
+    Dense slopes{x.size()};
+    for (std::size_t j = 0; j < x.size(); ++j) {
+        const double place = x[j];
+        x[j] = place + shift;
+        const Column after = air_forces(air, x);
+        x[j] = place - shift;
+        const Column before = air_forces(air, x);
+        x[j] = place;
+        for (std::size_t i = 0; i < x.size(); ++i) slopes(i, j) = (after[i] - before[i]) / (2 * shift);
     }
-    return air_forces(air, x).cwiseAbs().maxCoeff();
+    return slopes;
+}
+
+/// Moves the free particles to where there is no force, by Newton's method; returns the largest one left.
+double settle_air(Air& air, std::size_t n, double dx) {
+    constexpr int most_steps = 30;
+    constexpr double none = 1e-13, longest_step = 0.2, small = 1e-6;  // steps in spacings
+    const auto first = air.particles.x[0].begin() + wall_particles;
+    Column x(first, first + static_cast<std::ptrdiff_t>(n)), force = air_forces(air, x);
+    for (int k = 0; k < most_steps && largest(force) > none; ++k) {
+        const Column step = solve(air_slopes(air, x, 1e-4 * dx), force);
+        const double part = std::min(1.0, longest_step * dx / largest(step));
+        Column next = x;
+        for (std::size_t i = 0; i < n; ++i) next[i] -= part * step[i];
+        const Column left = air_forces(air, next);
+        if (largest(step) < small * dx && largest(left) >= largest(force)) break;  // rounding
+        x = next, force = left;
+    }
+    return largest(air_forces(air, x));
 }
 
 }  // namespace

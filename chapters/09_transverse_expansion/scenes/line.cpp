@@ -49,8 +49,9 @@ std::unique_ptr<Integrated<1>> line_of(const LineScene& scene) {
 }
 // [end]
 
-LineProfile line_profile(const Integrated<1>& fluid, const LineScene& scene, double tau) {
-    const exact::TransverseProfile solution{scene.flow, tau};
+LineProfile line_profile(const Integrated<1>& fluid, const LineScene& scene,
+                         const exact::TransverseProfile& solution) {
+    const double tau = solution.tau();
     LineProfile profile;
     profile.time = tau;
     profile.r = fluid.get<Position>()[0];
@@ -101,23 +102,35 @@ report::Quantities LineProfile::measured() const {
             {"pairs", static_cast<double>(counters.pairs)}};
 }
 
-std::vector<LineProfile> run_line(const LineScene& scene) {
+std::vector<exact::TransverseProfile> exact_lines(const exact::TransverseFlow& flow,
+                                                  const std::vector<double>& times) {
+    std::vector<exact::TransverseProfile> all;
+    for (const double tau : times) all.emplace_back(flow, tau);
+    return all;
+}
+
+std::vector<LineProfile> run_line(const LineScene& scene,
+                                  const std::vector<exact::TransverseProfile>& solutions) {
     if (scene.n < 10) throw std::invalid_argument{"fewer than ten rings"};
     const auto fluid = line_of(scene);
     double tau = scene.flow.tau0, seconds = 0;
     std::vector<LineProfile> profiles;
-    for (const double end : scene.times) {
-        seconds += march(*fluid, tau, {.end = end, .progress = scene.progress}, [&](double now) {
+    for (const exact::TransverseProfile& solution : solutions) {
+        seconds += march(*fluid, tau, {.end = solution.tau(), .progress = scene.progress}, [&](double now) {
                        require_order(fluid->get<Position>()[0], now);
                    }).seconds;
         fluid->resolve(tau);
-        LineProfile& profile = profiles.emplace_back(line_profile(*fluid, scene, tau));
+        LineProfile& profile = profiles.emplace_back(line_profile(*fluid, scene, solution));
         const double whole = scene.flow.tau0 * square(scene.flow.radius) / 2;
         profile.entropy = fluid->totals().mass / whole - 1;
         profile.seconds = seconds;
         profile.counters = fluid->counters();
     }
     return profiles;
+}
+
+std::vector<LineProfile> run_line(const LineScene& scene) {
+    return run_line(scene, exact_lines(scene.flow, scene.times));
 }
 
 double unpaired_force(std::size_t n, bool inside) {

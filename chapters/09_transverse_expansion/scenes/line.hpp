@@ -12,11 +12,11 @@ namespace sph::transverse {
 
 struct LineScene {
     exact::TransverseFlow flow{};
-    std::size_t n = 400;        ///< rings in r < R
-    std::vector<double> times;  ///< increasing, above tau0
-    double share = 1;           ///< of their entropy that the images behind the axis have: 1 or -1
-    double h_over_dx = 1.8;     ///< in units of nu/s*
-    double courant = 0.3;       ///< step over the shortest time in which sound crosses an h
+    std::size_t n = 400;          ///< rings in r < R
+    std::vector<double> times{};  ///< increasing, above tau0
+    double share = 1;             ///< of their entropy that the images behind the axis have: 1 or -1
+    double h_over_dx = 1.8;       ///< in units of nu/s*
+    double courant = 0.3;         ///< step over the shortest time in which sound crosses an h
     int threads = 1;
     std::function<void(double share)> progress{};
 };
@@ -33,7 +33,14 @@ struct LineProfile {
     report::Quantities measured() const;
 };
 
+/// The flow at each of the times.
+std::vector<exact::TransverseProfile> exact_lines(const exact::TransverseFlow& flow,
+                                                  const std::vector<double>& times);
+
 /// Runs RK4. Throws Unstable where the run leaves physics: rings that overtake each other included.
+/// solutions: of exact_lines(), for callers that run several scenes at the same times.
+std::vector<LineProfile> run_line(const LineScene& scene,
+                                  const std::vector<exact::TransverseProfile>& solutions);
 std::vector<LineProfile> run_line(const LineScene& scene);
 
 /// Of n rings at rest with T = 1 in r < 1, h = 2 rings: the sum of the forces of all pairs over the sum of
