@@ -84,8 +84,9 @@ void cost(report::Run& run) {
     run.claim("cost-order", [&] { return 2 * best.order() > 0.8 && best.error.back() < 2.5e-3; });
     run.claim("cost-fast", [&] { return best.seconds[4] < 10; });
     run.claim("grid-wins", [&] {
-        return named("grid").error.back() < best.error.back() &&
-               named("grid").seconds.back() < best.seconds.back();
+        const Track& grid = named("grid");
+        return grid.error.back() < best.error.back() && 50 * grid.seconds.back() < best.seconds[4] &&
+               grid.error[2] < best.error[4] && 100 * grid.seconds[2] < best.seconds[4];
     });
 }
 

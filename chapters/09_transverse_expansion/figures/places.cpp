@@ -74,7 +74,8 @@ void methods(report::Run& run) {
     run.claim("corrected-worse", [&] {
         return l1("corrected") > 2 * l1("spiral-graded") && last.at("corrected").momentum > 1e-9;
     });
-    run.claim("ring-lattice-noise", [&] { return middle.at("rings").axis > 10 * middle.at("hexagonal").axis; });
+    run.claim("ring-lattice-noise",
+              [&] { return middle.at("rings").axis > 10 * middle.at("hexagonal").axis; });
     run.claim("relaxed-noisy", [&] { return l1("relaxed") > 2 * l1("hexagonal"); });
 }
 

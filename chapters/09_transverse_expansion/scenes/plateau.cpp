@@ -58,7 +58,7 @@ std::unique_ptr<SpaceFluid> plateau_fluid(const PlateauScene& scene, const Disc&
 }  // namespace
 
 PlateauRun run_plateau(const PlateauScene& scene) {
-    constexpr double unit = 3, thin = 0.1;
+    constexpr double unit = 3, near = 0.8;  // spacings: the layers next to eta = 0
     const Flow flow = cylinder(PlateauScene::R, PlateauScene::tau0, 1.0 / 3);
     const PlaneMethod& method = plane_methods()["spiral-solved"];
     const PlaneScene plane{.n = scene.per_layer, .times = {scene.time}, .threads = scene.threads};
@@ -75,10 +75,11 @@ PlateauRun run_plateau(const PlateauScene& scene) {
     run.counters = fluid->counters();
     const FlowProfile exact = flow.exact(tau);
     const auto& p = fluid->particles;
+    const double middle = near * PlateauScene::R * std::sqrt(pi / static_cast<double>(scene.per_layer));
     Column area;
     double difference = 0, whole = 0;
     for (std::size_t i = 0; i < run.n; ++i) {
-        if (std::abs(p.x[2][i]) > thin * scene.half * unit) continue;
+        if (std::abs(p.x[2][i]) > middle) continue;
         const double r = std::hypot(p.x[0][i], p.x[1][i]);
         run.r.push_back(r), run.temperature.push_back(std::cbrt(fluid->entropy(i, tau)));
         run.u_r.push_back((p.U[0][i] * p.x[0][i] + p.U[1][i] * p.x[1][i]) / r);

@@ -15,7 +15,7 @@ struct PlateauScene {
 };
 struct PlateauRun {
     std::size_t n = 0;
-    Column r, temperature, u_r, eta_velocity;  ///< of the particles with |eta| below a tenth of half
+    Column r, temperature, u_r, eta_velocity;  ///< of the layers next to eta = 0
     Column plane_r, plane_temperature;         ///< the plane's run with as many particles as a layer
     Column rings_r, rings, plane_rings;        ///< means of T over rings of width 1 in r < R
     double difference = 0;                     ///< by area, of the rings: sum |T - T_plane| dA/sum T_plane dA
