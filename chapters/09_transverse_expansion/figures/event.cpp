@@ -7,8 +7,8 @@ namespace sph::transverse {
 
 /// One event as a film.
 void event(report::Run& run) {
-    EventScene scene{.n = run.quick() ? 800UL : 5000UL, .times = {}};
-    const int frames = run.quick() ? 4 : 20;
+    EventScene scene{.n = run.quick() ? 800UL : 2500UL, .times = {}};
+    const int frames = run.quick() ? 4 : 15;
     for (int k = 0; k < frames; ++k) scene.times.push_back(1 + 7.0 * k / (frames - 1));
     const EventRun one = run_event(scene);
     run.save(event_animation("event", one));
