@@ -17,8 +17,8 @@ struct KnownPlace {
     double tau, r, temperature, rapidity;
 };
 
-/// Integral of s_star r dr from 0 to the edge, by Simpson's rule in two parts, which end where the flow has no
-/// derivatives; their nodes lie close to their ends.
+/// Integral of s_star r dr from 0 to the edge, by Simpson's rule in two parts, which end where the flow has
+/// no derivatives; their nodes lie close to their ends.
 double entropy_of(const TransverseFlow& flow, const TransverseProfile& profile, double between) {
     const auto part = [&](double a, double b) {
         constexpr int n = 4000;
