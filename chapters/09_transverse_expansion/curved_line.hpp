@@ -36,7 +36,6 @@ struct Weight {
         out.dq_dt[0] += 0.5 * sign * inertia * metric.log_g_00_slope(i.x[0]);
     }
 };
-
 // [end]
 
 /// (tau, r), where nothing depends on phi and eta: ds^2 = dtau^2 - dr^2 - r^2 dphi^2 - tau^2 deta^2, so

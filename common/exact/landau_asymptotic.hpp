@@ -7,7 +7,8 @@ namespace exact {
 ///     ln T = -(1 + c0^2)/4 L + (1 - c0^2)/4 sqrt(L^2 - M^2),
 ///     L = ln[(t^2 - x^2)/Delta^2],   M = ln[(t + x)/(t - x)],
 /// and, where the rapidity is small beside L, ln T = -c0^2/2 L, which is Bjorken's flow.
-/// Source: Chen (2017), eqs 244-250.
+/// Source: Chen (2017), eqs 244-250. Its 281 takes this as the temperature inside the cylinder's head; a
+/// cylinder that begins with one temperature at tau0 has tau0 in the place of Delta (transverse.hpp).
 ///
 /// It is no limit of the slab (landau.hpp): at x = 0 the slab's ln T is -1.002, -1.894, -4.338 at t = 10,
 /// 100, 1e5, and this one's is -1.026, -1.793, -4.096. They cross near t = 15 and drift apart as ln|ln T|/6
