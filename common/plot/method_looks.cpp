@@ -64,7 +64,11 @@ constexpr std::array looks{
     Look{"chow-monaghan", Hue::orange, Marker::circle}, Look{"fixed-4", Hue::brown, Marker::triangle_up},
     Look{"fixed-10", Hue::sky, Marker::cross}, Look{"fixed-20", Hue::gold, Marker::circle},
     Look{"variable", Hue::orange, Marker::triangle_down}, Look{"graded", Hue::pink, Marker::triangle_up},
-    Look{"quadratic-h", Hue::green, Marker::triangle_down}, Look{"narrow-graded", Hue::blue, Marker::circle}};
+    Look{"quadratic-h", Hue::green, Marker::triangle_down}, Look{"narrow-graded", Hue::blue, Marker::circle},
+    // chapter 9: where particles of the plane begin
+    Look{"rings", Hue::ink, Marker::circle}, Look{"relaxed", Hue::ink, Marker::cross},
+    Look{"spiral", Hue::blue, Marker::cross}, Look{"spiral-solved", Hue::blue, Marker::plus},
+    Look{"spiral-graded", Hue::blue, Marker::circle}};
 
 }  // namespace
 

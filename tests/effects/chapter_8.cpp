@@ -33,7 +33,7 @@ const std::vector<Subject>& all_subjects() {
     static const std::vector<Subject> all = [] {
         std::vector<Subject> found;
         for (const auto& chapter : {chapters_1_and_2(), chapter_3(), chapter_4(), chapter_5(),
-                                    chapter_5_cures(), chapter_6(), chapter_7(), chapter_8()})
+                                    chapter_5_cures(), chapter_6(), chapter_7(), chapter_8(), chapter_9()})
             found.insert(found.end(), chapter.begin(), chapter.end());
         return found;
     }();

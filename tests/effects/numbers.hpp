@@ -10,6 +10,7 @@
 #include "chapters/05_tensile_instability/cures.hpp"
 #include "chapters/05_tensile_instability/total_lagrangian.hpp"
 #include "chapters/08_landau_model/relativistic_dissipation.hpp"
+#include "chapters/09_transverse_expansion/curved_fluid.hpp"
 
 /// Random particles for tests of effects: every number where it has a meaning, and neighbours as a pass hands
 /// them over.
@@ -23,7 +24,7 @@ using AllColumns =
          DynamicViscosity, ViscousStress, VelocityGradient, PressureGradient, Entropy, EntropyDensity,
          BaryonDensity, MomentumPerCharge, EnergyPerBaryon, Enthalpy, Rapidity, RapidityGradient,
          LabPressureGradient, Stress, ArtificialStress, Displacement, DisplacementGradient, ReferenceStress,
-         TransportVelocity, InverseCorrection>;
+         TransportVelocity, InverseCorrection, WeighedPressure>;
 
 /// Where the components of a column lie. Of either sign, if nothing else is said.
 struct Range {
@@ -38,6 +39,8 @@ template <>
 inline constexpr Range range_of<SmoothingLength>{0.4, 1.2};
 template <>
 inline constexpr Range range_of<Pressure>{0.1, 3};
+template <>
+inline constexpr Range range_of<WeighedPressure>{0.1, 3};
 template <>
 inline constexpr Range range_of<SoundSpeed>{0.05, 0.55};
 template <>

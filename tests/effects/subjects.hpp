@@ -151,6 +151,7 @@ std::vector<Subject> chapter_5_cures();
 std::vector<Subject> chapter_6();
 std::vector<Subject> chapter_7();
 std::vector<Subject> chapter_8();
+std::vector<Subject> chapter_9();
 const std::vector<Subject>& all_subjects();
 
 }  // namespace sph::tested

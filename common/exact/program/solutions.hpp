@@ -8,8 +8,10 @@ namespace exact::program {
 
 std::unique_ptr<Solution> bar();
 std::unique_ptr<Solution> beam();
+std::unique_ptr<Solution> bjorken();
 std::unique_ptr<Solution> burgers();
 std::unique_ptr<Solution> gresho();
+std::unique_ptr<Solution> gubser();
 std::unique_ptr<Solution> landau();
 std::unique_ptr<Solution> noh();
 std::unique_ptr<Solution> oblique_shock();
@@ -22,6 +24,7 @@ std::unique_ptr<Solution> sedov();
 std::unique_ptr<Solution> shear_wave();
 std::unique_ptr<Solution> taylor_green();
 std::unique_ptr<Solution> toy_star();
+std::unique_ptr<Solution> transverse();
 std::unique_ptr<Solution> two_layer();
 std::unique_ptr<Solution> woodward_colella();
 
