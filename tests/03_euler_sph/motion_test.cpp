@@ -121,6 +121,19 @@ TEST_CASE("leapfrog's energy oscillates as dt^2 and does not drift; naive steps 
     CHECK(std::abs(naive.drift) > 10 * std::abs(fine.drift));
 }
 
+// Fails (order 2) with the halves of drift-kick-drift, 1/24 and 1/12 exchanged, or with df/dt of one step
+// only.
+TEST_CASE("leapfrog's shadow Hamiltonian is constant to dt^4") {
+    StarScene scene;
+    scene.n = 50;
+    const EnergyHistory coarse = run_star_energy(scene, "kick-drift-kick", 0.3, 0.4, 1000);
+    const EnergyHistory fine = run_star_energy(scene, "kick-drift-kick", 0.3, 0.2, 2000);
+    const double order = std::log2(coarse.shadow / fine.shadow);
+    CHECK(order > 3.8);
+    CHECK(order < 4.2);
+    CHECK(coarse.shadow < 0.01 * coarse.amplitude);
+}
+
 TEST_CASE("hard case: a star with the force (3.5) walks away") {
     StarScene scene;
     scene.n = 100;

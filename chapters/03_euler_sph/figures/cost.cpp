@@ -98,16 +98,19 @@ double star_race(report::Run& run, plot::Panel& panel) {
 
 void cost(report::Run& run) {
     plot::Figure figure{"cost", 1, 2};
-    plot::Panel& waves = figure.at(0, 1)
+    plot::Panel& waves = figure.at(0, 0)
                              .log_log()
                              .titled("standing wave, one period")
                              .labels("CPU time [s]", "relative $L$_{1} error of $v$");
-    plot::Panel& stars = figure.at(0, 0)
+    plot::Panel& stars = figure.at(0, 1)
                              .log_log()
                              .titled("nonlinear star, one period")
                              .labels("CPU time [s]", "relative error of the radius");
-    run.fill("cost-wave-ratio", report::timing(wave_race(run, waves), 1));
-    run.fill("cost-star-ratio", report::timing(star_race(run, stars), 1));
+    const double wave_ratio = wave_race(run, waves), star_ratio = star_race(run, stars);
+    run.fill("cost-wave-ratio", report::timing(wave_ratio, 1));
+    run.fill("cost-star-ratio", report::timing(star_ratio, 1));
+    // Times of one machine: the bounds leave a factor of two.
+    run.claim("grid-ahead", [&] { return wave_ratio > 1.2 && star_ratio > 1.2; });
     stars.legend.shown = false;
     waves.legend.outside = true;
     run.save(figure);
