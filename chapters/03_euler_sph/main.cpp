@@ -14,6 +14,7 @@ void wave(report::Run& run);
 void dispersion_figure(report::Run& run);
 void reversal(report::Run& run);
 void energy(report::Run& run);
+void orbit(report::Run& run);
 void rarefaction(report::Run& run);
 void star_modes(report::Run& run);
 void star_nonlinear(report::Run& run);
@@ -37,6 +38,7 @@ int main(int argc, char** argv) {
         .figure("dispersion", "sound waves of every length: the formula, and simulations", dispersion_figure)
         .figure("reversal", "a wave run forward and back again, by several integrators", reversal)
         .figure("energy", "the energy of a star that oscillates for long", energy)
+        .figure("orbit", "an eccentric orbit for long, by leapfrog and by RK4", orbit)
         .figure("rarefaction", "gas that expands into the vacuum", rarefaction)
         .figure("star-modes", "twenty linear modes of a toy star", star_modes)
         .figure("star-nonlinear", "a toy star that swings to half and to twice its radius", star_nonlinear)

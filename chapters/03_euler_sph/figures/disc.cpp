@@ -85,7 +85,7 @@ void disc(report::Run& run) {
     wider.h_over_dx = 1.3;
     const DiscRun pairs = run_disc(wider);
     using namespace report;
-    Comparison table{{"particles", "σ", "number"},
+    Comparison table{{"particles", "h/dx", "number"},
                      {{"nearest particle [spacings]", "nearest", decimals(1)},
                       {"ρ, relative L1 by mass", "l1_rho", digits(1)},
                       {"A, largest error / largest A", "linf_f", digits(1)},
