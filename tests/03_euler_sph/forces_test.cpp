@@ -167,7 +167,7 @@ TEST_CASE("what the forms conserve in a run") {
     }
 }
 
-// Fails if SharedHeating takes the pressure of i twice: the total then moves, the entropy does not.
+// Fails if SharedHeating takes the pressure of i twice: it is then (3.14), and keeps the entropy.
 TEST_CASE("energy equations: a total that stands still, and an entropy that does") {
     const auto at = [](EnergyForm form, double courant) { return run_energies(form, courant, 12, 0.5); };
     CHECK(std::abs(at(EnergyForm::thermokinetic, 0.3).energy) < 1e-12);
