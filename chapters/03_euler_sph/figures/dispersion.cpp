@@ -1,6 +1,7 @@
 #include "chapters/03_euler_sph/dispersion.hpp"
 #include "chapters/03_euler_sph/scenes/wave.hpp"
 #include "common/plot/looks.hpp"
+#include "common/plot/method_looks.hpp"
 
 namespace sph::euler {
 namespace {
@@ -56,11 +57,11 @@ void dispersion_figure(report::Run& run) {
             run.record(rule.name + " k=" + std::to_string(n) + "/32 pi", 64,
                        {{"omega2", omega2, "c_s^2/dx^2"}});
         }
-        plot::Style style{.label = rule.label, .colour = plot::cycle(index), .dash = plot::Dash::solid};
+        const plot::Style style = plot::line(plot::look_of(rule.name, rule.label));
         left.curve(k, line, style);
         left.points(dots_k, dots_y,
                     {.label = index == 2 ? "simulations" : "",
-                     .colour = plot::cycle(index),
+                     .colour = style.colour,
                      .marker = plot::Marker::circle,
                      .marker_size = 4});
         for (int n = 1; n <= 30; ++n) {

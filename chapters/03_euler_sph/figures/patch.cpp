@@ -1,7 +1,28 @@
 #include "chapters/03_euler_sph/scenes/patch.hpp"
+
+#include <cmath>
+
 #include "common/plot/looks.hpp"
 
 namespace sph::euler {
+namespace {
+
+/// How many of the particles at the square's corners end within a twentieth of its side from where they
+/// began.
+int corners_that_stay(const PatchRun& liquid, std::size_t per_side) {
+    const double end = 0.5 - 0.5 / static_cast<double>(per_side);
+    int stay = 0;
+    for (const std::size_t row : {std::size_t{0}, per_side - 1}) {
+        for (const std::size_t column : {std::size_t{0}, per_side - 1}) {
+            const std::size_t i = row * per_side + column;
+            const double x = liquid.x[0][i], y = liquid.x[1][i];
+            stay += std::hypot(std::abs(x) - end, std::abs(y) - end) < 0.05 ? 1 : 0;
+        }
+    }
+    return stay;
+}
+
+}  // namespace
 
 void patch(report::Run& run) {
     plot::Figure figure{"patch", 1, 3};
@@ -37,6 +58,7 @@ void patch(report::Run& run) {
     run.record("phi-one", scene.per_side * scene.per_side, liquid.measured());
     run.fill("patch-energy",
              liquid.energy_drift < 1e-7 ? "less than 10⁻⁷" : report::number(liquid.energy_drift, 1));
+    run.claim("corners-stay", [&] { return corners_that_stay(liquid, scene.per_side) == 3; });
     run.claim("patch-conserves", [&] {
         return liquid.energy_drift < 1e-7 && liquid.momentum < 1e-12 && liquid.angular_momentum < 1e-12;
     });

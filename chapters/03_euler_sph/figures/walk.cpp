@@ -26,8 +26,8 @@ void walk(report::Run& run) {
     panel.curve(centres.conserving_t, centres.conserving_centre,
                 {.label = "force (3.23)", .colour = plot::cycle(0)});
     const double naive = farthest(centres.centre), cured = farthest(centres.conserving_centre);
-    run.record("force 3.5", 100, {{"momentum_drift", centres.momentum}, {"farthest_centre", naive}});
-    run.record("force 5.8", 100,
+    run.record("non-conserving", 100, {{"momentum_drift", centres.momentum}, {"farthest_centre", naive}});
+    run.record("consistent-h", 100,
                {{"momentum_drift", centres.conserving_momentum}, {"farthest_centre", cured}});
     run.fill("walk", report::number(naive, 1));
     run.fill("walk-cured", cured < 1e-12 ? "10⁻¹²" : report::number(cured, 1));
