@@ -25,9 +25,9 @@ struct PhiIsRootPressure {
     }
 };
 
-/// d rho_i/dt = rho_i/Phi_i sum_j m_j Phi_j/rho_j v_ij . grad_i W_ij   (5.34 with its minus sign; the
-/// gradient vanishes for a common velocity). Phi = rho: (2.18). Phi = 1: (2.17), whose factor rho_i (2.20)
-/// belongs to.
+// [continuity]
+/// d rho_i/dt = rho_i/Phi_i sum_j m_j Phi_j/rho_j v_ij . grad_i W_ij   (review, 5.34 with its minus sign).
+/// Phi = rho: 2.18. Phi = 1: 2.17, to which the factor rho_i of 2.20 belongs.
 template <class Phi>
 struct Continuity {
     using Reads = Union<List<Velocity, Density>, typename Phi::Reads>;
@@ -38,6 +38,7 @@ struct Continuity {
         sum.drho_dt += weight * dot(i.v - j.v, pair.x_ij) * F_i(pair);
     }
 };
+// [end]
 
 /// d rho_i/dt = - rho_i sum_j m_j/rho_j v_j . grad_i W_ij   (Chen 2017, 166): the divergence as it stands,
 /// which does not vanish for a common velocity where W is cut off.

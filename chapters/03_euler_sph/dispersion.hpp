@@ -15,6 +15,19 @@ double lattice_density(double h) {
     return rho;
 }
 
+/// S = (h/rho) sum_c m_c dW/dh on the same line (Monaghan 2005, 5.11): in one dimension Omega = 1 + S (5.7),
+/// and the slope of ln rho with ln h.
+template <class K>
+double lattice_slope(double h) {
+    double sum = 0;
+    const int last = static_cast<int>(std::ceil(K::support * h));
+    for (int c = -last; c <= last; ++c) {
+        const double r = std::abs(double(c));
+        sum -= K::W(r, h) + r * r * K::F(r, h);  // h dW/dh
+    }
+    return sum / lattice_density<K>(h);
+}
+
 /// omega^2 at wave number k, in units where the spacing and the speed of sound are 1.
 struct Dispersion {
     double fixed_h;        ///< one h for all

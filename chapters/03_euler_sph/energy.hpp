@@ -30,6 +30,19 @@ struct GradHHeating {
     }
 };
 
+/// du_i/dt = 1/2 sum_j m_j (P_i/rho_i^2 + P_j/rho_j^2) v_ij . grad_i W_ij   (Chen 2017, 158, 162, 172): half
+/// of a pair's work to each. The total is that of (3.14); who is heated is not: du is no longer P/rho^2 d
+/// rho, and the entropy of a particle moves without any dissipation.
+struct SharedHeating {
+    using Reads = List<Velocity, Density, Pressure>;
+    using ReadsJ = List<Mass>;
+    using Adds = List<Heating>;
+    void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
+        const Tile work = i.p / (i.rho * i.rho) * F_i(pair) + j.p / (j.rho * j.rho) * F_j(pair);
+        sum.du_dt += 0.5 * j.m * work * dot(i.v - j.v, pair.x_ij);
+    }
+};
+
 /// e = v^2/2 + u   (3.16)
 struct ThermokineticEnergy {
     static constexpr std::string_view name = "thermokinetic energy";

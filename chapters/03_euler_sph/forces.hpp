@@ -16,8 +16,9 @@ struct NonConservingForce {
     }
 };
 
+// [pressure]
 /// dv_i/dt = - sum_j m_j/(rho_i rho_j) (P_i Phi_j/Phi_i grad_i W_ij(h_i) + P_j Phi_i/Phi_j grad_i W_ij(h_j))
-/// (5.35). Phi = rho: (3.8). Phi = 1: (5.32), (P_i + P_j)/(rho_i rho_j). Phi = sqrt(P): (5.36). Conserves
+/// (review, 5.35). Phi = rho: 3.8. Phi = 1: 5.32, (P_i + P_j)/(rho_i rho_j). Phi = sqrt(P): 5.36. Conserves
 /// momentum; and energy if the density is that of Continuity<Phi> (for Phi = rho: or summed) and h constant.
 template <class Phi = PhiIsDensity>
 struct PressureForce {
@@ -30,9 +31,11 @@ struct PressureForce {
             (j.m / (i.rho * j.rho) * (i.p * ratio * F_i(pair) + j.p / ratio * F_j(pair))) * pair.x_ij;
     }
 };
+// [end]
 
+// [grad-h]
 /// dv_i/dt = - sum_j m_j (P_i/(Omega_i rho_i^2) grad_i W_ij(h_i) + P_j/(Omega_j rho_j^2) grad_i W_ij(h_j))
-/// (5.8): what follows from the Lagrangian when h depends on rho. Conserves momentum and energy.
+/// (review, 5.8): what follows from the Lagrangian when h depends on rho. Conserves momentum and energy.
 struct GradHForce {
     using Reads = List<Density, Pressure, GradH>;
     using ReadsJ = List<Mass>;
@@ -43,6 +46,7 @@ struct GradHForce {
         sum.dv_dt -= (j.m * (from_i * F_i(pair) + from_j * F_j(pair))) * pair.x_ij;
     }
 };
+// [end]
 
 // What acts on particles one by one. Only scenes that list these have them.
 

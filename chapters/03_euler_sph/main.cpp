@@ -7,11 +7,14 @@
 #include "revision.hpp"
 
 namespace sph::euler {  // figures/, each in a file of its name
+void walk(report::Run& run);
 void forms(report::Run& run);
+void omega(report::Run& run);
 void wave(report::Run& run);
 void dispersion_figure(report::Run& run);
 void reversal(report::Run& run);
 void energy(report::Run& run);
+void orbit(report::Run& run);
 void rarefaction(report::Run& run);
 void star_modes(report::Run& run);
 void star_nonlinear(report::Run& run);
@@ -28,19 +31,21 @@ int main(int argc, char** argv) {
     report::Chapter chapter{"03_euler_sph",
                             "How does interpolation become dynamics that conserve momentum and energy?",
                             source_revision};
-    chapter.figure("forms", "what each form of the equations conserves", forms)
+    chapter.figure("walk", "a star that its own forces push away", walk)
+        .figure("forms", "what each form of the equations conserves", forms)
+        .figure("omega", "the factor of h that follows the density, on a line and in a star", omega)
         .figure("wave", "a standing sound wave: error against N for each rule of h", wave)
         .figure("dispersion", "sound waves of every length: the formula, and simulations", dispersion_figure)
         .figure("reversal", "a wave run forward and back again, by several integrators", reversal)
         .figure("energy", "the energy of a star that oscillates for long", energy)
+        .figure("orbit", "an eccentric orbit for long, by leapfrog and by RK4", orbit)
         .figure("rarefaction", "gas that expands into the vacuum", rarefaction)
         .figure("star-modes", "twenty linear modes of a toy star", star_modes)
         .figure("star-nonlinear", "a toy star that swings to half and to twice its radius", star_nonlinear)
         .figure("disc", "random points that relax to a star in 2D, and what is interpolated on them", disc)
         .figure("necklace", "the circulation around a necklace of tracers", necklace)
         .figure("patch", "a square of liquid, distorted by its own motion", patch)
-        .figure("hard-case", "hard cases: a star that walks away, and constant h where density vanishes",
-                hard_case)
+        .figure("hard-case", "hard cases: one h for all where the density vanishes", hard_case)
         .timed_figure("cost", "error against CPU time, beside a Lagrangian grid", cost)
         .timed_figure("cost-of-effects", "what each listed effect adds to the cost of a pair",
                       cost_of_effects)

@@ -11,6 +11,7 @@ bool Integrator::step(double& t, double dt) {
     return true;
 }
 
+// [leapfrog]
 void KickDriftKick::advance(double& t, double dt) {
     if (!has_rates_) rates(t);
     motion().kick(dt / 2);
@@ -20,6 +21,7 @@ void KickDriftKick::advance(double& t, double dt) {
     has_rates_ = true;
     motion().kick(dt / 2);
 }
+// [end]
 
 void DriftKickDrift::advance(double& t, double dt) {
     motion().drift(dt / 2);
@@ -65,6 +67,7 @@ void RungeKutta4::advance(double& t, double dt) {
     t += dt;
 }
 
+// [reversible]
 void ReversibleSteps::advance(double& t, double dt_0) {
     motion().drift(dt_0 / 2);
     rates(t + dt_0 / 2);
@@ -77,5 +80,6 @@ void ReversibleSteps::advance(double& t, double dt_0) {
     t += (dt_0 + dt_1) / 2;
     dt_ = dt_1;
 }
+// [end]
 
 }  // namespace sph

@@ -24,6 +24,16 @@ TEST_CASE("the dispersion relation has the digits of an independent computation"
     }
 }
 
+// Values of an independent sum; fails with the kernel's W left out of dW/dh.
+TEST_CASE("the slope of density with h on an even line, of the cubic spline and the Gaussian") {
+    CHECK(std::abs(lattice_slope<CubicSpline<1>>(1.0)) < 1e-14);  // all aliases fall on zeros
+    CHECK(lattice_slope<CubicSpline<1>>(1.2) == Approx(0.0205).margin(5e-5));
+    CHECK(lattice_slope<CubicSpline<1>>(1.5) == Approx(-0.0164).margin(5e-5));
+    CHECK(1 + lattice_slope<Gaussian<1>>(0.8) == Approx(0.95453).margin(5e-6));
+    // Its first alias (5.10) at h = dx.
+    CHECK(lattice_slope<Gaussian<1>>(1.0) == Approx(-square(2 * pi) * std::exp(-square(pi))).epsilon(1e-3));
+}
+
 TEST_CASE("the printed relation, with the second derivative of W by h in (6.4), is wrong") {
     // Psi as printed: dx sum (1 - cos kx) d2W/dh2, instead of d2W/dx2.
     constexpr double h = 1.2, gamma = 5.0 / 3, k = pi / 8;

@@ -4,6 +4,7 @@
 #include "chapters/03_euler_sph/scenes/disc.hpp"
 #include "chapters/03_euler_sph/scenes/lagrangian_grid.hpp"
 #include "chapters/03_euler_sph/scenes/necklace.hpp"
+#include "chapters/03_euler_sph/scenes/orbit.hpp"
 #include "chapters/03_euler_sph/scenes/patch.hpp"
 #include "chapters/03_euler_sph/scenes/rarefaction.hpp"
 #include "chapters/03_euler_sph/scenes/reversal.hpp"
@@ -119,6 +120,36 @@ TEST_CASE("leapfrog's energy oscillates as dt^2 and does not drift; naive steps 
     CHECK(fine.momentum < 1e-13);
     const EnergyHistory naive = run_star_energy(scene, "naive steps", 0.3, 0.2, 8000);
     CHECK(std::abs(naive.drift) > 10 * std::abs(fine.drift));
+}
+
+// Fails with the sign of the acceleration changed, or if RK4 is given as many steps as leapfrog.
+TEST_CASE("an eccentric orbit: leapfrog keeps its shape and turns it, RK4 spirals inwards") {
+    const OrbitRun leapfrog = run_orbit({.periods = 20});
+    CHECK(std::abs(leapfrog.energy.back()) < 1e-8);  // measured 2e-11
+    CHECK(leapfrog.angular_momentum < 1e-12);
+    CHECK(leapfrog.turn < -0.05);  // measured -0.065
+    CHECK(leapfrog.turn > -0.08);
+    const OrbitRun runge = run_orbit({.periods = 20, .integrator = "RK4"});
+    CHECK(runge.energy.back() > 0.03);  // measured 0.05
+    CHECK(runge.energy.back() < 0.08);
+    // A quarter of the step: the error of a method of fourth order that drifts falls by 4^5.
+    const OrbitRun fine = run_orbit({.evaluations = 1600, .periods = 20, .integrator = "RK4"});
+    CHECK(runge.energy.back() / fine.energy.back() > 500);
+    CHECK(runge.energy.back() / fine.energy.back() < 2000);
+    CHECK_THROWS_AS(run_orbit({.integrator = "euler"}), std::invalid_argument);
+}
+
+// Fails (order 2) with the halves of drift-kick-drift, 1/24 and 1/12 exchanged, or with df/dt of one step
+// only.
+TEST_CASE("leapfrog's shadow Hamiltonian is constant to dt^4") {
+    StarScene scene;
+    scene.n = 50;
+    const EnergyHistory coarse = run_star_energy(scene, "kick-drift-kick", 0.3, 0.4, 1000);
+    const EnergyHistory fine = run_star_energy(scene, "kick-drift-kick", 0.3, 0.2, 2000);
+    const double order = std::log2(coarse.shadow / fine.shadow);
+    CHECK(order > 3.8);
+    CHECK(order < 4.2);
+    CHECK(coarse.shadow < 0.01 * coarse.amplitude);
 }
 
 TEST_CASE("hard case: a star with the force (3.5) walks away") {

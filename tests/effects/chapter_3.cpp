@@ -20,6 +20,7 @@ std::vector<Subject> chapter_3() {
         of_gradients(CompressionHeating<PhiIsOne>{}, {heats}),
         of_gradients(CompressionHeating<PhiIsRootPressure>{}, {symmetric_in_one_kernel(mass, approach)}),
         of_gradients(GradHHeating{}, {heats}),
+        of_gradients(SharedHeating{}, {symmetric(mass, approach)}),
         of_gradients(Work{}, {antisymmetric(mass, nothing)}),
         of_gradients(Continuity<PhiIsDensity>{}, {symmetric_in_one_kernel(mass, approach)}),
         of_gradients(Continuity<PhiIsOne>{}, {by_volume}),

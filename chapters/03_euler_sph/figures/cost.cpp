@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include "chapters/03_euler_sph/scenes/grid.hpp"
 #include "chapters/03_euler_sph/scenes/star.hpp"
@@ -10,10 +11,15 @@
 namespace sph::euler {
 namespace {
 
-/// The first size at which each contestant reaches the bounds; returns how many times as long as the
-/// competitor, the last, the one before needs for the last bound.
-double at_bounds(report::Run& run, const std::vector<report::Track>& tracks,
-                 const std::vector<double>& bounds, const std::string& text) {
+/// How many times as long as the competitor, the last of the tracks, others need.
+struct Lead {
+    double first = 0, last = 0;  ///< the one before it, for the first and the last bound
+    double least = std::numeric_limits<double>::infinity();  ///< any, for any bound that it reaches
+};
+
+/// The first size at which each contestant reaches the bounds.
+Lead at_bounds(report::Run& run, const std::vector<report::Track>& tracks, const std::vector<double>& bounds,
+               const std::string& text) {
     std::vector<std::string> header{"task"};
     for (const double bound : bounds) header.push_back("error ≤ " + report::number(bound, 1));
     report::Table table{header};
@@ -32,7 +38,19 @@ double at_bounds(report::Run& run, const std::vector<report::Track>& tracks,
         table.row(row);
     }
     run.fill(text, table.markdown());
-    return seconds(tracks[tracks.size() - 2], bounds.back()) / seconds(tracks.back(), bounds.back());
+    Lead lead;
+    const auto times = [&](const report::Track& track, double bound) {
+        return seconds(track, bound) / seconds(tracks.back(), bound);
+    };
+    const report::Track& best = tracks[tracks.size() - 2];
+    lead.first = times(best, bounds.front());
+    lead.last = times(best, bounds.back());
+    for (std::size_t k = 0; k + 1 < tracks.size(); ++k) {
+        for (const double bound : bounds) {
+            if (seconds(tracks[k], bound) > 0) lead.least = std::min(lead.least, times(tracks[k], bound));
+        }
+    }
+    return lead;
 }
 
 /// The methods that converge, and a Lagrangian grid, which is given larger sizes too.
@@ -49,7 +67,7 @@ std::vector<report::Contestant> contestants(
     return all;
 }
 
-double wave_race(report::Run& run, plot::Panel& panel) {
+Lead wave_race(report::Run& run, plot::Panel& panel) {
     const std::vector<std::size_t> sizes = run.quick()
                                                ? std::vector<std::size_t>{16, 32}
                                                : std::vector<std::size_t>{16, 24, 32, 48, 64, 96, 128};
@@ -66,7 +84,7 @@ double wave_race(report::Run& run, plot::Panel& panel) {
     return at_bounds(run, tracks, {0.05, 0.01, 1e-3, 1e-4}, "cost-wave");
 }
 
-double star_race(report::Run& run, plot::Panel& panel) {
+Lead star_race(report::Run& run, plot::Panel& panel) {
     const std::vector<std::size_t> sizes =
         run.quick() ? std::vector<std::size_t>{25, 50} : std::vector<std::size_t>{25, 35, 50, 75, 100};
     constexpr double A_0 = 1;
@@ -98,16 +116,20 @@ double star_race(report::Run& run, plot::Panel& panel) {
 
 void cost(report::Run& run) {
     plot::Figure figure{"cost", 1, 2};
-    plot::Panel& waves = figure.at(0, 1)
+    plot::Panel& waves = figure.at(0, 0)
                              .log_log()
                              .titled("standing wave, one period")
                              .labels("CPU time [s]", "relative $L$_{1} error of $v$");
-    plot::Panel& stars = figure.at(0, 0)
+    plot::Panel& stars = figure.at(0, 1)
                              .log_log()
                              .titled("nonlinear star, one period")
                              .labels("CPU time [s]", "relative error of the radius");
-    run.fill("cost-wave-ratio", report::timing(wave_race(run, waves), 1));
-    run.fill("cost-star-ratio", report::timing(star_race(run, stars), 1));
+    const Lead wave = wave_race(run, waves), star = star_race(run, stars);
+    run.fill("cost-wave-ratio", report::timing(wave.last, 1));
+    run.fill("cost-star-ratio", report::timing(star.last, 1));
+    // Times of one machine; the leads at the bounds are 4 and 5, and 80 and 60 at the first.
+    run.claim("grid-ahead", [&] { return wave.least > 1 && star.least > 1; });
+    run.claim("lead-shrinks", [&] { return wave.last < wave.first / 3 && star.last < star.first / 3; });
     stars.legend.shown = false;
     waves.legend.outside = true;
     run.save(figure);

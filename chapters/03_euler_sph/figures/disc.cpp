@@ -53,9 +53,9 @@ void draw_places(report::Run& run, const DiscRun& random, const DiscRun& lattice
 /// A function and a slope on the relaxed particles (figures 3 and 4).
 void draw_interpolated(report::Run& run, const std::array<DiscRun, 2>& stars) {
     plot::Figure figure{"disc-interpolation", 1, 2};
-    plot::Panel& left = figure.at(0, 0).titled("$r$^{2} exp(−6$r$^{2}) by (2.8)").labels("$r$", "$A$");
+    plot::Panel& left = figure.at(0, 0).titled("$r$^{2} exp(−6$r$^{2}) by (1.3)").labels("$r$", "$A$");
     plot::Panel& right =
-        figure.at(0, 1).titled("∂($r$^{2} − 1)/∂$x$ by (2.14), $r$ < 0.9").labels("$x$", "slope");
+        figure.at(0, 1).titled("∂($r$^{2} − 1)/∂$x$ by (1.12), $r$ < 0.9").labels("$x$", "slope");
     plot::draw_exact(left, 0, 1, [](double r) { return r * r * std::exp(-6 * r * r); });
     right.curve({-1, 1}, {-2, 2}, plot::exact());
     for (std::size_t k = 0; k < stars.size(); ++k) {
@@ -85,7 +85,7 @@ void disc(report::Run& run) {
     wider.h_over_dx = 1.3;
     const DiscRun pairs = run_disc(wider);
     using namespace report;
-    Comparison table{{"particles", "σ", "number"},
+    Comparison table{{"particles", "h/dx", "number"},
                      {{"nearest particle [spacings]", "nearest", decimals(1)},
                       {"ρ, relative L1 by mass", "l1_rho", digits(1)},
                       {"A, largest error / largest A", "linf_f", digits(1)},
@@ -100,6 +100,15 @@ void disc(report::Run& run) {
     add("lattice", style_of(1).label, 1.1, stars[1]);
     add("random sigma=1.3", style_of(0).label, 1.3, pairs);
     run.fill("disc", table.markdown());
+    run.claim("disc-orders-itself", [&] {
+        return stars[0].nearest > 0.9 && stars[0].gradient_error < stars[0].random_gradient_error / 3;
+    });
+    run.claim("lattice-gets-worse",
+              [&] { return stars[1].gradient_error > 3 * stars[1].random_gradient_error; });
+    run.claim("disc-pairs", [&] {
+        return pairs.nearest < 0.5 && pairs.gradient_error > 1.5 * stars[0].gradient_error &&
+               pairs.density_error < 1.2 * stars[0].density_error;
+    });
 }
 
 }  // namespace sph::euler

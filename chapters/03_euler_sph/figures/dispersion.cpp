@@ -1,6 +1,7 @@
 #include "chapters/03_euler_sph/dispersion.hpp"
 #include "chapters/03_euler_sph/scenes/wave.hpp"
 #include "common/plot/looks.hpp"
+#include "common/plot/method_looks.hpp"
 
 namespace sph::euler {
 namespace {
@@ -11,8 +12,8 @@ struct Rule {
 };
 std::vector<Rule> rules() {
     return {{"fixed-h", "one $h$", &Dispersion::fixed_h},
-            {"without-omega", "$h$ ~ 1/ρ, without Ω", &Dispersion::without_omega},
-            {"consistent-h", "$h$ ~ 1/ρ, with Ω", &Dispersion::variable_h}};
+            {"without-omega", "$h$ ∝ 1/ρ, without $Ω_{h}$", &Dispersion::without_omega},
+            {"consistent-h", "$h$ ∝ 1/ρ, with $Ω_{h}$", &Dispersion::variable_h}};
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ void dispersion_figure(report::Run& run) {
         k.push_back(n / 100.0);
         exact.push_back(square(pi * k.back()));
     }
-    left.curve(k, exact, {.label = "exact", .colour = plot::Colour{0, 0, 0}, .dash = plot::Dash::dashed});
+    left.curve(k, exact, plot::exact());
     left.y_range(0, 4);
     const std::vector<int> waves =
         run.quick() ? std::vector{1, 16, 32} : std::vector{1, 4, 8, 12, 16, 20, 24, 28, 31};
@@ -56,10 +57,13 @@ void dispersion_figure(report::Run& run) {
             run.record(rule.name + " k=" + std::to_string(n) + "/32 pi", 64,
                        {{"omega2", omega2, "c_s^2/dx^2"}});
         }
-        plot::Style style{.label = rule.label, .colour = plot::cycle(index), .dash = plot::Dash::solid};
+        const plot::Style style = plot::line(plot::look_of(rule.name, rule.label));
         left.curve(k, line, style);
         left.points(dots_k, dots_y,
-                    {.colour = plot::cycle(index), .marker = plot::Marker::circle, .marker_size = 4});
+                    {.label = index == 2 ? "simulations" : "",
+                     .colour = style.colour,
+                     .marker = plot::Marker::circle,
+                     .marker_size = 4});
         for (int n = 1; n <= 30; ++n) {
             small_k.push_back(0.01 * std::pow(30.0, n / 30.0));
             const double K2 = square(pi * small_k.back());
@@ -76,7 +80,7 @@ void dispersion_figure(report::Run& run) {
     run.record("simulated against formula", 64, {{"largest_relative_difference", worst}});
     run.fill("dispersion-worst", worst < 1e-6 ? "10⁻⁶" : report::number(worst, 1));
     const double k_small = pi / 32;
-    report::Table table{{"kernel, h = 1.2 dx, k dx = π/32", "one h", "with Ω", "without Ω"}};
+    report::Table table{{"kernel, h = 1.2 dx, k dx = π/32", "one $h$", "with $Ω_{h}$", "without $Ω_{h}$"}};
     for (const std::string name : {"cubic", "quintic", "super-gaussian"}) {
         with_kernel<1>(name, [&](const auto& kernel) {
             const auto d = dispersion<std::decay_t<decltype(kernel)>>(h, gamma, k_small);
@@ -87,6 +91,25 @@ void dispersion_figure(report::Run& run) {
         });
     }
     run.fill("dispersion", table.markdown());
+    run.claim("formula-is-measured", [&] { return worst < 1e-6; });
+    run.claim("lucky-gammas", [&] {
+        bool all = true;
+        const std::array lucky{&Dispersion::fixed_h, &Dispersion::without_omega, &Dispersion::variable_h};
+        for (std::size_t n = 0; n < 3; ++n) {
+            for (int g = 1; g <= 3; ++g) {
+                const auto error = [&](double k_dx) {
+                    return std::abs(dispersion<Gaussian<1>>(1.5, g, k_dx).*lucky[n] / square(k_dx) - 1);
+                };
+                const double order = std::log2(error(0.2) / error(0.1));
+                all = all && std::abs(order - (static_cast<int>(n) + 1 == g ? 4 : 2)) < 0.2;
+            }
+        }
+        return all;
+    });
+    run.claim("one-h-can-be-faster", [&] {
+        const Dispersion d = dispersion<CubicSpline<1>>(h, gamma, k_small);
+        return d.fixed_h > d.variable_h && std::sqrt(d.fixed_h) / k_small > 1.02;
+    });
 }
 
 }  // namespace sph::euler

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <map>
+
 #include "chapters/03_euler_sph/scenes/star.hpp"
 #include "common/exact/toy_star_modes.hpp"
 #include "common/plot/looks.hpp"
@@ -18,7 +21,7 @@ std::vector<Line> all_lines() {
             {"even spacing", "even spacing", cubic, Spacing::even, Marker::triangle_up},
             {"graded", "graded spacing", cubic, Spacing::graded, Marker::circle},
             {"graded without-omega",
-             "graded, without Ω",
+             "graded, without $Ω_{h}$",
              {"without-omega", "cubic", 1.2},
              Spacing::graded,
              Marker::diamond},
@@ -32,6 +35,7 @@ std::vector<Line> all_lines() {
 /// Errors of twenty frequencies by each way to space the particles: curves, rows, a table.
 void frequencies(report::Run& run, StarScene scene, plot::Panel& panel) {
     report::Table table{{"particles", "mode 3", "mode 5", "mode 10", "mode 20"}};
+    std::map<std::string, plot::Values> errors;  // of modes 3 to 20
     std::size_t index = 0;
     for (const Line& line : all_lines()) {
         scene.spacing = line.spacing;
@@ -48,10 +52,17 @@ void frequencies(report::Run& run, StarScene scene, plot::Panel& panel) {
             error.push_back(std::abs(relative));
         }
         table.row(row);
+        errors[line.name] = error;
         panel.curve(mode, error,
                     {.label = line.label, .colour = plot::cycle(index++), .marker = line.marker});
     }
     run.fill("star-modes", table.markdown());
+    run.claim("modes-want-fine-edges", [&] {
+        return errors["graded"][17] < errors["equal masses"][17] / 5 &&
+               errors["graded super-gaussian"][17] < errors["graded"][17] / 50;
+    });
+    run.claim("without-omega-is-lucky",
+              [&] { return std::abs(errors["graded without-omega"][17]) < errors["graded"][17] / 100; });
 }
 
 /// How little Omega varies over the star.
@@ -63,6 +74,7 @@ void range_of_omega(report::Run& run, StarScene scene) {
     run.record("even spacing", scene.n, {{"omega_5_percent", low}, {"omega_95_percent", high}});
     run.fill("omega-low", report::fixed(low, 3));
     run.fill("omega-high", report::fixed(high, 3));
+    run.claim("omega-nearly-constant", [&] { return high - low < 1e-3; });
 }
 
 /// The same in time, for the method that is best: modes 1 and 2 are exact, whatever N is.
@@ -77,16 +89,24 @@ void modes_in_time(report::Run& run, const StarScene& scene) {
     double worst = 0;
     for (const int mode : {1, 2}) worst = std::max(worst, std::abs(error(lines[2], mode, 1, 0.01)));
     run.fill("star-exact", worst < 1e-8 ? "10⁻⁸" : report::number(worst, 1));
-    run.fill("star-twenty", report::number(error(lines[4], 20, 4, 0.1), 1));
+    const double twenty = error(lines[4], 20, 4, 0.1);
+    run.fill("star-twenty", report::number(twenty, 1));
+    run.claim("first-modes-exact", [&] { return worst < 1e-8; });
+    run.claim("mode-twenty", [&] { return std::abs(twenty) < 1e-4; });
 }
 
 void draw_mode_three(const StarScene& scene, plot::Panel& panel) {
     const StarRun three = run_mode(scene, all_lines()[2].method, 3, 4);
     const double end = three.exact_v.back() / exact::toy_star_velocity(2, 3, std::min(1.0, three.x.back()));
     plot::draw_exact(panel, -1, 1, [&](double x) { return end * exact::toy_star_velocity(2, 3, x); });
+    plot::Values x, v;  // every tenth
+    for (std::size_t i = 0; i < three.x.size(); i += 10) {
+        x.push_back(three.x[i]);
+        v.push_back(three.v[i]);
+    }
     panel.points(
-        three.x, three.v,
-        {.label = "graded", .colour = plot::cycle(2), .marker = plot::Marker::circle, .marker_size = 3});
+        x, v,
+        {.label = "graded", .colour = plot::cycle(2), .marker = plot::Marker::circle, .marker_size = 5});
 }
 
 }  // namespace

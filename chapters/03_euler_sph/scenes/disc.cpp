@@ -5,7 +5,9 @@ namespace {
 
 using K = AnyKernel<2>;
 const K cubic{"cubic"};
+// [type]
 using DiscGas = Gas<ConsistentH<K>, Barotropic<Quadratic>, Free, LinearForce, Damping>;
+// [end]
 using DiscParticles = DiscGas::P;
 
 double radius2(const Columns<2>& x, std::size_t i) {

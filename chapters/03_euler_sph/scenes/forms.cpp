@@ -61,13 +61,16 @@ std::vector<FormRun> run_forms(const Column& courants, std::size_t per_side, dou
         }
         runs.push_back(all);
     };
-    add("non-conserving", "summed (2.9)", "(3.5)", NonConservingForm<K>{{h, cubic}});
-    add("summed", "summed (2.9)", "(3.8)", FixedH<K>{h, cubic});
-    add("phi-density", "(2.18)", "(3.8), Φ = ρ", ContinuityH<K, PhiIsDensity>{h, cubic});
-    add("phi-one", "(2.17)", "(5.32), Φ = 1", ContinuityH<K, PhiIsOne>{h, cubic});
-    add("phi-root-pressure", "Φ = √$P$", "(5.36), Φ = √$P$", ContinuityH<K, PhiIsRootPressure>{h, cubic});
-    add("mixed-one-density", "(2.18)", "(5.32), Φ = 1", MixedForm<K, PhiIsOne, PhiIsDensity>{{h, cubic}});
-    add("mixed-density-one", "(2.17)", "(3.8), Φ = ρ", MixedForm<K, PhiIsDensity, PhiIsOne>{{h, cubic}});
+    add("non-conserving", "sum (1.4)", "(3.2)", NonConservingForm<K>{{h, cubic}});
+    add("summed", "sum (1.4)", "(3.7)", FixedH<K>{h, cubic});
+    add("phi-density", "(3.9), Φ = ρ", "(3.7), Φ = ρ", ContinuityH<K, PhiIsDensity>{h, cubic});
+    add("phi-one", "(3.10), Φ = 1", "(3.16), Φ = 1", ContinuityH<K, PhiIsOne>{h, cubic});
+    add("phi-root-pressure", "(3.11), Φ = √$P$", "(3.17), Φ = √$P$",
+        ContinuityH<K, PhiIsRootPressure>{h, cubic});
+    add("mixed-one-density", "(3.9), Φ = ρ", "(3.16), Φ = 1",
+        MixedForm<K, PhiIsOne, PhiIsDensity>{{h, cubic}});
+    add("mixed-density-one", "(3.10), Φ = 1", "(3.7), Φ = ρ",
+        MixedForm<K, PhiIsDensity, PhiIsOne>{{h, cubic}});
     return runs;
 }
 
@@ -106,49 +109,64 @@ DensityForms density_forms(OnLine place, bool expanding) {
     return forms;
 }
 
-EnergyRun run_energies(double courant, std::size_t per_side, double time, std::uint64_t seed) {
+EnergyRun run_energies(EnergyForm form, double courant, std::size_t per_side, double time,
+                       std::uint64_t seed) {
     using P = Particles<2, Position, Velocity, Acceleration, Mass, Density, Pressure, ThermalEnergy, Heating,
                         ThermokineticEnergy, ThermokineticRate>;
     P p{per_side * per_side};
     set_wave(p, per_side, seed);
     const IdealGas state{gamma_};
+    const auto kinetic = [&](std::size_t i) { return 0.5 * (square(p.v[0][i]) + square(p.v[1][i])); };
     double motion = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.u[i] = 1 / (gamma_ * (gamma_ - 1));
-        const double kinetic = 0.5 * (square(p.v[0][i]) + square(p.v[1][i]));
-        p.e[i] = p.u[i] + kinetic;
-        motion += p.m[i] * kinetic;
+        p.e[i] = p.u[i] + kinetic(i);
+        motion += p.m[i] * kinetic(i);
     }
     const double h = h_over_dx / static_cast<double>(per_side);
     const ConstantH<K> smoothing{h, cubic};
     Neighbours<2, Box<2>> neighbours{periodic_unit_box<2>()};
-    const auto rates = [&](double) {
+    const bool from_e = form == EnergyForm::thermokinetic;
+    const auto resolve = [&] {
         neighbours.find(p.x, smoothing.reach());
         sum_over_neighbours(p, neighbours, smoothing, Effects{SummedDensity{}});
-        for (std::size_t i = 0; i < p.size(); ++i) p.p[i] = state.pressure(p.rho[i], p.u[i]);
-        sum_over_neighbours(p, neighbours, smoothing,
-                            Effects{PressureForce<>{}, CompressionHeating<>{}, Work{}});
-    };
-    const auto totals = [&] {
-        std::array<double, 2> sum{};
         for (std::size_t i = 0; i < p.size(); ++i) {
-            sum[0] += p.m[i] * (p.u[i] + 0.5 * (square(p.v[0][i]) + square(p.v[1][i])));
-            sum[1] += p.m[i] * p.e[i];
+            if (from_e) p.u[i] = p.e[i] - kinetic(i);
+            p.p[i] = state.pressure(p.rho[i], p.u[i]);
         }
+    };
+    const auto rates = [&](double) {
+        resolve();
+        if (form == EnergyForm::own)
+            sum_over_neighbours(p, neighbours, smoothing, Effects{PressureForce<>{}, CompressionHeating<>{}});
+        else
+            sum_over_neighbours(p, neighbours, smoothing,
+                                Effects{PressureForce<>{}, SharedHeating{}, Work{}});
+    };
+    const auto total = [&] {
+        double sum = 0;
+        for (std::size_t i = 0; i < p.size(); ++i) sum += p.m[i] * (p.u[i] + kinetic(i));
         return sum;
     };
-    const auto start = totals();
+    resolve();
+    const double start = total();
+    Column entropy;
+    for (std::size_t i = 0; i < p.size(); ++i) entropy.push_back(p.p[i] / std::pow(p.rho[i], gamma_));
     Motion motions{neighbours.team()};
-    motions.evolve<Position, Velocity>(p)
-        .evolve<Velocity, Acceleration>(p)
-        .evolve<ThermalEnergy, Heating>(p)
-        .evolve<ThermokineticEnergy, ThermokineticRate>(p)
-        .watch(p);
+    motions.evolve<Position, Velocity>(p).evolve<Velocity, Acceleration>(p);
+    if (from_e)
+        motions.evolve<ThermokineticEnergy, ThermokineticRate>(p);
+    else
+        motions.evolve<ThermalEnergy, Heating>(p);
+    motions.watch(p);
     RungeKutta2 integrator{motions, rates};
     double t = 0;
     march(integrator, t, {.end = time, .steps = std::lround(std::ceil(time / (courant * h)))});
-    const auto end = totals();
-    return {(end[0] - start[0]) / motion, (end[1] - start[1]) / motion};
+    resolve();
+    double squares = 0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        squares += square(p.p[i] / std::pow(p.rho[i], gamma_) / entropy[i] - 1);
+    return {(total() - start) / motion, std::sqrt(squares / static_cast<double>(p.size()))};
 }
 
 }  // namespace sph::euler

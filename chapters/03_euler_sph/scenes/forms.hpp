@@ -38,11 +38,19 @@ enum class OnLine { inside, end, light_side };  ///< light_side: next to gas tha
 /// v = 1, or v = x if `expanding`, which makes d rho/dt = -rho.
 DensityForms density_forms(OnLine place, bool expanding);
 
-/// Thermal and thermokinetic energy (3.14, 3.18) carried along in the same flow by RK2: how far the sums of
-/// m (v^2/2 + u) and of m e are from their start, relative to the motion at t = 0.
-struct EnergyRun {
-    double thermal = 0, thermokinetic = 0;
+/// Which equation moves the energy.
+enum class EnergyForm {
+    own,           ///< thermal, each by its own pressure (3.14)
+    shared,        ///< thermal, half of a pair's work to each (Chen 2017, 172)
+    thermokinetic  ///< v^2/2 + u (3.18), from which u is taken
 };
-EnergyRun run_energies(double courant, std::size_t per_side = 24, double time = 1, std::uint64_t seed = 1);
+/// The same flow of an ideal gas by RK2, its pressure from that energy. `energy`: how far the sum of
+/// m (v^2/2 + u) is from its start, relative to the motion at t = 0; `entropy`: root mean square over the
+/// particles of the relative change of P/rho^gamma, which should be none.
+struct EnergyRun {
+    double energy = 0, entropy = 0;
+};
+EnergyRun run_energies(EnergyForm form, double courant, std::size_t per_side = 24, double time = 1,
+                       std::uint64_t seed = 1);
 
 }  // namespace sph::euler

@@ -17,14 +17,14 @@ std::vector<std::pair<std::string, report::ListedPass>> listed_passes() {
     };
     list("density", one, SummedDensity{});
     list("density and its slope with own h", own, SummedDensity{}, DensitySlope{});
-    list("pressure (3.8)", one, PressureForce<>{});
-    list("pressure (3.8) and linear force", one, PressureForce<>{}, LinearForce{1});
-    list("pressure (5.32)", one, PressureForce<PhiIsOne>{});
-    list("pressure (5.36)", one, PressureForce<PhiIsRootPressure>{});
-    list("pressure (3.8) and heating", one, PressureForce<>{}, CompressionHeating<>{});
-    list("pressure (3.8) with heating and work", one, PressureForce<>{}, CompressionHeating<>{}, Work{});
-    list("pressure (5.8) with both h", both, GradHForce{});
-    list("pressure (5.8) and heating", both, GradHForce{}, GradHHeating{});
+    list("pressure (3.7)", one, PressureForce<>{});
+    list("pressure (3.7) and linear force", one, PressureForce<>{}, LinearForce{1});
+    list("pressure (3.16)", one, PressureForce<PhiIsOne>{});
+    list("pressure (3.17)", one, PressureForce<PhiIsRootPressure>{});
+    list("pressure (3.7) and heating", one, PressureForce<>{}, CompressionHeating<>{});
+    list("pressure (3.7) with heating and work", one, PressureForce<>{}, CompressionHeating<>{}, Work{});
+    list("pressure (3.23) with both h", both, GradHForce{});
+    list("pressure (3.23) and heating", both, GradHForce{}, GradHHeating{});
     return passes;
 }
 

@@ -18,9 +18,9 @@ std::vector<GasMethod> compared_methods(double best_h_over_dx) {
     std::vector<GasMethod> all{
         {"fixed-h", "cubic", 1.2, "fixed-h", "one $h$"},
         {"averaged-h", "cubic", 1.2, "averaged-h", "mean of both $h$"},
-        {"without-omega", "cubic", 1.2, "without-omega", "own $h$, without Ω"},
-        {"consistent-h", "cubic", 1.2, "consistent-h", "own $h$, with Ω"},
-        {"consistent-h", "super-gaussian", best_h_over_dx, "super-gaussian", "with Ω, super-Gaussian"}};
+        {"without-omega", "cubic", 1.2, "without-omega", "own $h$, without $Ω_{h}$"},
+        {"consistent-h", "cubic", 1.2, "consistent-h", "own $h$, with $Ω_{h}$"},
+        {"consistent-h", "super-gaussian", best_h_over_dx, "super-gaussian", "with $Ω_{h}$, super-Gaussian"}};
     for (GasMethod& method : all) method.look = plot::look_of(method.name, method.label);
     return all;
 }
@@ -29,7 +29,7 @@ void MethodChoice::declare(app::CommandLine& line, const std::vector<std::string
     line.choice("resolution", method.resolution, resolutions, "where density and h come from")
         .choice("kernel", method.kernel, any_kernel_names(), "smoothing kernel")
         .number("h-over-dx", method.h_over_dx, {0.5, 8}, "spacings",
-                "smoothing length: of all, or h_over_dx of (4.2); above h W(0) of the kernel");
+                "smoothing length: of all, or h_over_dx of (3.21); above h W(0) of the kernel");
 }
 
 const GasMethod& MethodChoice::chosen() const {

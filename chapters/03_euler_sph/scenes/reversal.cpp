@@ -60,10 +60,12 @@ ReversalRun run_reversal(const std::string& name, int waves, int steps, std::siz
         gas->resolve(now);
         drifts.look();
     };
+    // [loop]
     march(*gas, t, {.steps = steps}, watch);
     run.time = t;
-    turn();
+    turn();  // all velocities change sign
     march(*gas, t, {.steps = steps}, watch);
+    // [end]
     run.energy_drift = drifts.energy() / (square(scene.amplitude) / 4);
     run.bitwise = gas->get<Position>()[0] == x;
     for (std::size_t i = 0; i < n; ++i) {

@@ -135,6 +135,7 @@ NonlinearRun run_nonlinear(const StarScene& scene, const GasMethod& method, doub
                       if (++step % shown != 0 && step != steps) return;
                       run.t.push_back(now);
                       run.radius.push_back(radius_of(*gas, scene.gamma));
+                      run.energy.push_back(gas->totals().energy / drifts.first().energy - 1);
                   }).seconds;
     run.energy_drift = drifts.energy() / std::abs(drifts.first().energy);
     run.momentum = gas->totals().momentum[0];

@@ -70,9 +70,9 @@ StarRun run_mode(const StarScene& scene, const GasMethod& method, int mode, int 
 
 /// The nonlinear oscillation v = A(t) x (6.18-6.19) from the state at rest with v = A_0 x.
 struct NonlinearRun {
-    Column t, radius, exact_radius;
-    double radius_error = 0;    ///< largest, relative
-    double velocity_error = 0;  ///< relative L1 of v at the end
+    Column t, radius, exact_radius, energy;  ///< energy: its change, relative
+    double radius_error = 0;                 ///< largest, relative
+    double velocity_error = 0;               ///< relative L1 of v at the end
     double energy_drift = 0, momentum = 0;
     double seconds = 0;  ///< CPU time of the oscillation, without the rest before it
     Counters counters;

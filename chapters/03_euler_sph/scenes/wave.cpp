@@ -49,11 +49,11 @@ WaveRun run_wave(const WaveScene& scene, const GasMethod& method) {
     gas->integrate_by<RungeKutta4>();
     gas->resolve(0);
     Drifts drifts{*gas};
-    const double energy = square(scene.amplitude) / 4, period = 1.0 / scene.waves;
+    const double energy = square(scene.amplitude) / 4, end = scene.periods / scene.waves;
     WaveRun run;
     double t = 0;
-    const StepControl control{.end = period,
-                              .steps = std::lround(std::ceil(period / (scene.courant * scene.spacing()))),
+    const StepControl control{.end = end,
+                              .steps = std::lround(std::ceil(end / (scene.courant * scene.spacing()))),
                               .progress = scene.progress};
     run.seconds = march(*gas, t, control, [&](double now) {
                       gas->resolve(now);

@@ -12,6 +12,7 @@ struct WaveScene {
     double gamma = 1.4;       ///< adiabatic index
     double amplitude = 1e-7;  ///< of the velocity [c_s]
     int waves = 1;            ///< wave lengths in the box of length 1
+    double periods = 1;       ///< how long it runs
     double courant = 0.3;     ///< time step [spacing/c_s]
     int threads = 1;
     double density = 1;  ///< where the speed of sound is 1
@@ -29,7 +30,7 @@ std::unique_ptr<LineGas> wave_gas(const WaveScene& scene, const GasMethod& metho
 
 /// What a run of a wave leaves.
 struct WaveRun {
-    double error = 0;  ///< largest over the first period of sum |v - v_exact| / sum of its amplitude
+    double error = 0;  ///< largest over the run of sum |v - v_exact| / sum of its amplitude
     double energy_drift = 0, momentum_drift = 0;  ///< largest, relative to the wave's energy, m c_s amplitude
     double seconds = 0;                           ///< CPU time
     Counters counters;
@@ -39,7 +40,7 @@ struct WaveRun {
     report::Quantities measured() const;
 };
 
-/// Runs one period by RK4, whose own error is far below. Throws Unstable, std::invalid_argument.
+/// Runs its periods by RK4, whose own error is far below. Throws Unstable, std::invalid_argument.
 WaveRun run_wave(const WaveScene& scene, const GasMethod& method);
 
 /// omega^2 of the wave as it runs, for comparison with dispersion(): c_s = 1 at the density that the lattice
