@@ -94,7 +94,7 @@ void collision(report::Run& run) {
             return ratio("l1_rho") < 1 && ratio("l1_v") < 1 && ratio("l1_p") < 1 &&
                    ratio("shock_error") > 1.2;
         },
-        Needs::any_run);
+        report::Needs::any_run);
     run.claim("streams-dip", [&] {
         return value("reconstructed", "centre_rho") < 0.87 && value("chow-monaghan", "centre_rho") > 0.95 &&
                std::abs(value("on the cubic kernel", "centre_rho") - value("reconstructed", "centre_rho")) <

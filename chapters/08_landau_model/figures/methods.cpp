@@ -18,8 +18,8 @@ void draw(report::Run& run, const std::vector<double>& times, const Errors& erro
         for (const SlabMethod& method : slab_methods().named(names))
             axes.curve(times, errors.at(method.name), method.styled());
     };
-    panel(0, "h of all, or of each", {"fixed-4", "fixed-10", "fixed-20", "variable"});
-    panel(1, "h of each", {"variable", "without-omega", "graded", "narrow", "narrow-graded"});
+    panel(0, "one $h$ for all, or of each its own", {"fixed-4", "fixed-10", "fixed-20", "variable"});
+    panel(1, "of each its own $h$", {"variable", "without-omega", "graded", "narrow", "narrow-graded"});
     run.save(figure);
 }
 

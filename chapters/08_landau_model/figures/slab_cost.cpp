@@ -86,7 +86,7 @@ void slab_cost(report::Run& run) {
     }
     report::draw_error_against_size(convergence, tracks);
     report::draw_error_against_seconds(cost, tracks);
-    convergence.slope(1, 100, 1000, 2e-2, "order 1");
+    convergence.slope(-1, 200, 1000, 0.04, "order 1");
     run.save(figure);
     run.fill("slab-cost", table.markdown());
     assert_text(run, tracks);

@@ -1,5 +1,7 @@
 #include "chapters/08_landau_model/figures/slab_profiles.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "common/exact/landau.hpp"
@@ -51,7 +53,7 @@ void draw(const Panels& panels, const SlabProfile& profile, std::size_t k) {
 }  // namespace
 
 std::string at_time(double t) {
-    return "$t$ = " + report::number(t, 3);
+    return fmt::format("$t$ = {:g}", t);
 }
 
 void draw_right_half(plot::Panel& panel, const SlabProfile& profile, const Column& value, std::size_t k) {

@@ -44,7 +44,7 @@ void survival(report::Run& run) {
         for (const char* shock : {"problem 1", "lorentz 20", "cold lorentz 5"}) {
             if (table.count("none", shock).finished > 0) return false;
         }
-        return table.count("none", "into a vacuum").passed == runs.size() &&
+        return table.count("none", "into a vacuum").passed == runs.size() / 2 &&
                table.count("none", "apart").passed == runs.size();
     });
     run.claim("survival-both", [&] {

@@ -1,6 +1,8 @@
 #include "chapters/08_landau_model/figures/tubes.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "chapters/08_landau_model/scenes/grid.hpp"
@@ -39,18 +41,25 @@ TubeEntries entries(const TubeFigure& what) {
     return all;
 }
 
-/// At most some sixty markers in the panel, or a cloud hides what it should be compared with.
+/// The entry's markers in the panel, those left out that lie on the last one drawn, or a cloud hides what it
+/// should be compared with.
 void draw_markers(plot::Panel& axes, const TubePanel& panel, const TubeEntry& entry) {
-    constexpr std::size_t most = 60;
+    constexpr double apart = 1.0 / 70;  // of the panel
     const auto& profile = entry.run.profile;
+    const Column& all = profile.*panel.quantity;
     const auto inside = [&](double x) { return x >= panel.low && x <= panel.high; };
-    const auto count = static_cast<std::size_t>(std::count_if(profile.x.begin(), profile.x.end(), inside));
-    const std::size_t stride = count / most + 1;
+    const auto height = [&](double y) { return panel.log_y ? std::log(y) : y; };
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!inside(profile.x[i])) continue;
+        least = std::min(least, height(all[i])), most = std::max(most, height(all[i]));
+    }
     plot::Values x, y;
-    std::size_t seen = 0;
-    for (std::size_t i = 0; i < profile.x.size(); ++i) {
-        if (!inside(profile.x[i]) || seen++ % stride != 0) continue;
-        x.push_back(profile.x[i]), y.push_back((profile.*panel.quantity)[i]);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!inside(profile.x[i])) continue;
+        const bool far = x.empty() || std::abs(profile.x[i] - x.back()) > apart * (panel.high - panel.low) ||
+                         std::abs(height(all[i]) - height(y.back())) > 2 * apart * (most - least);
+        if (far) x.push_back(profile.x[i]), y.push_back(all[i]);
     }
     plot::Style look = plot::dots(entry.look, 4);
     look.label = entry.label;

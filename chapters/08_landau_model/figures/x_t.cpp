@@ -45,8 +45,8 @@ void name_regions(plot::Panel& panel) {
     for (const double side : {-1.0, 1.0})
         note(side * 2.35, 3.0, "simple wave"), note(side * 4.6, 1.2, "vacuum");
     panel.note(1.5, 0.12, "edge: $x$ = 1 + $t$").points_at = std::array{1.5, 0.5};
-    panel.note(-5.8, 2.4, "head of the wave").points_at = std::array{-0.45, 0.95};
-    panel.note(-5.8, 4.6, "weak discontinuity").points_at = std::array{-2.3, 4.6};
+    panel.note(-3.9, 0.35, "head of the wave").points_at = std::array{-0.77, 0.4};
+    panel.note(-5.9, 2.4, "weak discontinuity").points_at = std::array{-0.47, 2.4};
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ void name_regions(plot::Panel& panel) {
 void x_t(report::Run& run) {
     constexpr std::size_t stride = 3;
     const int looks = run.quick() ? 21 : 61;
-    SlabScene scene{.n = 120, .courant = SlabScene::fast_courant};
+    SlabScene scene{.n = 120, .times = {}, .courant = SlabScene::fast_courant};
     for (int k = 0; k < looks; ++k) scene.times.push_back(last_time * k / (looks - 1));
     const auto profiles = run_slab(scene, slab_methods().recommended());
 
