@@ -51,6 +51,7 @@ struct FourVelocity {
         Vec<T, d> U{};
     };
 };
+// [counted]
 /// Chapter 3's density and pressure force, counted in entropy.
 struct OfEntropy {
     using Amount = Entropy;
@@ -59,6 +60,7 @@ struct OfEntropy {
     using Counted =
         Renamed<Effect, As<Mass, Entropy>, As<Density, EntropyDensity>, As<Acceleration, MomentumRate>>;
 };
+// [end]
 
 /// A fluid of constant entropy per charge, in the frame of the laboratory. With the entropy nu_i of a
 /// particle and s*_i = sum_j nu_j W_ij (238), the action -sum nu (eps/s*) (225) leads to
@@ -89,6 +91,7 @@ class EntropicFluid
             particles.q[0][i] = fluid_.enthalpy(particles.s_star[i] / g) * g * v;
         }
     }
+    // [rates]
     /// s*, h, velocity and pressure at the present positions and momenta.
     void resolve(double t) override {
         auto& p = particles;
@@ -105,6 +108,7 @@ class EntropicFluid
         resolve(t);
         this->sum(Effects{typename Resolution::Force{}});
     }
+    // [end]
 
     double lorentz(std::size_t i) const { return std::sqrt(1 + particles.U[0][i] * particles.U[0][i]); }
     /// sum nu (in the place of mass), sum nu q, and sum nu T00/s*, T00 = (eps + P) lorentz^2 - P.

@@ -5,6 +5,8 @@
 #include "revision.hpp"
 
 namespace sph::landau {  // figures/, each in a file of its name
+void x_t(report::Run& run);
+void thesis(report::Run& run);
 void early(report::Run& run);
 void slab(report::Run& run);
 void edge(report::Run& run);
@@ -25,7 +27,9 @@ int main(int argc, char** argv) {
                             "How is relativistic, entropy-based SPH derived, and does it follow Landau's and "
                             "Khalatnikov's solution into the vacuum?",
                             source_revision};
-    chapter.figure("early", "the slab until its waves meet: Riemann's simple wave", early)
+    chapter.figure("x-t", "the slab in the plane of place and time: light cone, waves, world lines", x_t)
+        .figure("thesis", "even particles with one h: the thesis' figure 25", thesis)
+        .figure("early", "the slab until its waves meet: Riemann's simple wave", early)
         .figure("slab", "the slab from t = 2 to 10: Khalatnikov's solution between simple waves", slab)
         .figure("edge", "the edge of the vacuum, magnified", edge)
         .timed_figure("methods", "what smoothing lengths and grading do to the slab's error", methods)

@@ -32,6 +32,7 @@ Recovered recover(double q, double n_star, const Fluid& fluid, double guess = 0)
     double low = 0, high = std::numeric_limits<double>::infinity();
     Recovered result{std::abs(guess), 0};
     if (!(result.U > 0 && q * guess > 0)) result = {wanted / fluid.enthalpy(n_star), 1};
+    // [root]
     for (; result.evaluations < most; ++result.evaluations) {
         const double U = result.U, lorentz = result.lorentz(), n = n_star / lorentz;
         const double found = U * fluid.enthalpy(n), v = U / lorentz;
@@ -43,6 +44,7 @@ Recovered recover(double q, double n_star, const Fluid& fluid, double guess = 0)
         result.U = next;
         if (found_it || next == U) break;
     }
+    // [end]
     result.U = std::copysign(result.U, q);
     return result;
 }

@@ -112,6 +112,7 @@ struct ChowMonaghan {
     using Reads = List<Velocity, MomentumPerCharge, EnergyPerBaryon, SoundSpeed, BaryonDensity>;
     using ReadsJ = List<Mass>;
     using Adds = List<MomentumRate, EnergyRate>;
+    // [exchange]
     void add(const auto& i, const auto& j, const auto& pair, auto& sum) const {
         const Tile w = ((i.v[0] - j.v[0]) / (1.0 - i.v[0] * j.v[0])).abs();
         const Tile v_sig = (i.c_s + w) / (1.0 + i.c_s * w) + (j.c_s + w) / (1.0 + j.c_s * w) + w;
@@ -120,6 +121,7 @@ struct ChowMonaghan {
         sum.dq_dt[0] += weight * (i.q[0] - j.q[0]);
         sum.dE_dt += weight * (i.E - j.E);
     }
+    // [end]
 };
 
 /// The same, but of the jump in rapidity that both particles' slopes leave between them (chapter 4,

@@ -15,10 +15,12 @@ struct ExchangeScheme {
         return std::apply([](auto&... one) { return std::tie(one...); }, self.exchange);
     }
 };
+// [schemes]
 using NoExchange = ExchangeScheme<List<>>;
 using ChowMonaghanExchange = ExchangeScheme<List<>, ChowMonaghan>;
 using ReconstructedScheme =
     ExchangeScheme<List<RapidityGradient, LabPressureGradient>, ReconstructedExchange, ContactConduction>;
+// [end]
 
 namespace relativistic_gas_detail {
 template <class Scheme>

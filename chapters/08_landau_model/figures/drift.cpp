@@ -31,6 +31,9 @@ void drift(report::Run& run) {
         all[method.name] = drifts;
         axes.curve(courants, drifts, method.styled());
     }
+    axes.slope(5, 0.1, 0.3, 3e-8, "power 5");
+    axes.slope(2, 0.15, 0.5, 5e-9, "power 2");
+    axes.y_range(1e-11, 1e-3);
     run.save(figure);
     run.fill("answer-drift", report::below(lowest));
     run.fill("drift", table.markdown());
@@ -41,6 +44,13 @@ void drift(report::Run& run) {
         };
         return power("variable") > 4.3 && power("variable") < 5.2 && power("fixed-20") > 1.5 &&
                power("fixed-20") < 2.5 && all.at("fixed-20").back() < all.at("variable").back() / 100;
+    });
+    run.claim("drift-narrow", [&] {
+        const plot::Values &narrow = all.at("narrow-graded"), &wide = all.at("variable");
+        for (std::size_t k = 0; k < narrow.size(); ++k) {
+            if (!(narrow[k] < wide[k] / 3)) return false;
+        }
+        return true;
     });
     run.claim("drift-omega",
               [&] { return all.at("without-omega").front() > all.at("without-omega").back() / 2; });

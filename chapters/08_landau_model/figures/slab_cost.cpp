@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "chapters/08_landau_model/scenes/grid.hpp"
 #include "common/plot/looks.hpp"
 #include "common/report/comparison.hpp"
@@ -41,6 +43,28 @@ void add_rows(report::Comparison& table, const report::Track& track) {
     }
 }
 
+const report::Track& track_of(const std::vector<report::Track>& tracks, const std::string& name) {
+    return *std::find_if(tracks.begin(), tracks.end(), [&](const auto& one) { return one.who.name == name; });
+}
+
+void assert_text(report::Run& run, const std::vector<report::Track>& tracks) {
+    const auto &plain = track_of(tracks, "variable"), &best = track_of(tracks, "narrow-graded"),
+               &grid = track_of(tracks, "grid");
+    const auto error_at = [](const report::Track& track, std::size_t n) {
+        const auto k = std::find(track.n.begin(), track.n.end(), n) - track.n.begin();
+        return track.error.at(static_cast<std::size_t>(k));
+    };
+    run.claim("slab-orders", [&] {
+        return plain.order() > 0.85 && plain.order() < 1.05 && best.order() > 1.15 && best.order() < 1.45;
+    });
+    run.claim("slab-fewer", [&] { return error_at(best, 125) < error_at(plain, 500) / 2; });
+    run.claim("slab-grid", [&] {
+        const double error = error_at(best, 1000);
+        return error_at(grid, 800) / error < 1.1 && error_at(grid, 400) / error > 1.1 &&
+               best.seconds_at_error(error * 1.001).value > 30 * grid.seconds_at_error(error * 1.001).value;
+    });
+}
+
 }  // namespace
 
 void slab_cost(report::Run& run) {
@@ -48,8 +72,7 @@ void slab_cost(report::Run& run) {
     plot::Panel& convergence =
         figure.at(0, 0).log_log().labels("particles or cells", "relative $L$_{1} error of $s$*, $t$ = 10");
     plot::Panel& cost = figure.at(0, 1).log_log().labels("CPU time [s]", "");
-    convergence.legend.shown = false;
-    cost.legend.outside = true;
+    cost.legend.shown = false;
     using namespace report;
     Comparison table{{"method", "N"},
                      {{"relative L1 of s*", "l1_s_star", digits(2)},
@@ -63,8 +86,10 @@ void slab_cost(report::Run& run) {
     }
     report::draw_error_against_size(convergence, tracks);
     report::draw_error_against_seconds(cost, tracks);
+    convergence.slope(-1, 200, 1000, 0.04, "order 1");
     run.save(figure);
     run.fill("slab-cost", table.markdown());
+    assert_text(run, tracks);
 }
 
 }  // namespace sph::landau

@@ -1,5 +1,7 @@
 #include "chapters/08_landau_model/figures/slab_profiles.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "common/exact/landau.hpp"
@@ -26,26 +28,16 @@ Line exact_line_of(double t) {
     return line;
 }
 
-/// The particles with x >= 0, every `stride`-th.
-plot::Values right_half(const SlabProfile& profile, const Column& value, std::size_t stride) {
-    plot::Values half;
-    for (std::size_t i = profile.x.size() / 2; i < profile.x.size(); i += stride) half.push_back(value[i]);
-    return half;
-}
-
 struct Panels {
     plot::Panel &s_star, &rapidity, &eps, &error;
 };
 
 void draw(const Panels& panels, const SlabProfile& profile, std::size_t k) {
-    const std::size_t n = profile.x.size(), stride = n / 100;
+    const std::size_t n = profile.x.size();
     const Line exact = exact_line_of(profile.time);
-    const plot::Values x = right_half(profile, profile.x, stride);
-    const plot::Style look{
-        .label = at_time(profile.time), .colour = plot::cycle(k), .marker = plot::Marker::circle};
     const auto both = [&](plot::Panel& panel, const plot::Values& line, const Column& value) {
-        panel.curve(exact.x, line, {.colour = plot::black, .width = 1});
-        panel.points(x, right_half(profile, value, stride), plot::dots(look));
+        draw_right_half(panel, profile, value, k);
+        panel.curve(exact.x, line, plot::exact(k == 0 ? "exact" : ""));
     };
     both(panels.s_star, exact.s_star, profile.s_star);
     both(panels.rapidity, exact.rapidity, profile.rapidity);
@@ -53,34 +45,43 @@ void draw(const Panels& panels, const SlabProfile& profile, std::size_t k) {
     plot::Values place, relative;
     for (std::size_t i = n / 2; i < n; ++i) {
         place.push_back(profile.x[i] / (1 + profile.time));
-        relative.push_back(profile.s_star[i] / profile.exact_s_star[i] - 1);
+        relative.push_back(100 * (profile.s_star[i] / profile.exact_s_star[i] - 1));
     }
-    panels.error.curve(place, relative, plot::line(look));
+    panels.error.curve(place, relative, {.colour = plot::cycle(k), .width = 1});
 }
 
 }  // namespace
 
 std::string at_time(double t) {
-    return "$t$ = " + report::number(t, 3);
+    return fmt::format("$t$ = {:g}", t);
 }
 
-double slab_profiles(report::Run& run, const std::string& name, const std::vector<double>& times) {
+void draw_right_half(plot::Panel& panel, const SlabProfile& profile, const Column& value, std::size_t k) {
+    const std::size_t n = profile.x.size(), stride = std::max<std::size_t>(n / 80, 1);
+    plot::Values x, y;
+    for (std::size_t i = n / 2; i < n; i += stride) x.push_back(profile.x[i]), y.push_back(value[i]);
+    const plot::Style look{
+        .label = at_time(profile.time), .colour = plot::cycle(k), .marker = plot::Marker::circle};
+    panel.points(x, y, plot::dots(look));
+}
+
+std::vector<SlabProfile> slab_profiles(report::Run& run, const std::string& name,
+                                       const std::vector<double>& times) {
     const SlabMethod& method = slab_methods().recommended();
     const SlabScene scene{
         .n = run.quick() ? 200UL : 1000UL, .times = times, .courant = SlabScene::fast_courant};
     plot::Figure figure{name, 2, 2};
-    const Panels panels{
-        figure.at(0, 0).labels("$x$", "$s$*"), figure.at(0, 1).labels("$x$", "rapidity").y_range(0, 6),
-        figure.at(1, 0).labels("$x$", "ε/ε_{0}").log_y().y_range(1e-6, 2),
-        figure.at(1, 1).labels("$x$/(1 + $t$)", "$s$*/$s$*_{exact} – 1").y_range(-0.02, 0.02)};
+    const Panels panels{figure.at(0, 0).labels("$x$", "$s$*"),
+                        figure.at(0, 1).labels("$x$", "rapidity $y$").y_range(0, 6),
+                        figure.at(1, 0).labels("$x$", "ε").log_y().y_range(1e-6, 2),
+                        figure.at(1, 1).labels("$x$/(1 + $t$)", "error of $s$* [%]").y_range(-2, 2)};
     panels.rapidity.legend.shown = panels.eps.legend.shown = panels.error.legend.shown = false;
     report::Table table{
         {"t", "relative L1 of s*", "energy drift", "momentum", "last particle to edge", "steps"}};
     std::size_t k = 0;
-    double last_error = 0;
-    for (const SlabProfile& profile : run_slab(scene, method)) {
+    std::vector<SlabProfile> profiles = run_slab(scene, method);
+    for (const SlabProfile& profile : profiles) {
         draw(panels, profile, k++);
-        last_error = profile.l1_s_star;
         run.record(method.name + " t=" + report::number(profile.time, 3), scene.n,
                    {{"l1_s_star", profile.l1_s_star},
                     {"energy_drift", profile.energy_drift},
@@ -92,7 +93,7 @@ double slab_profiles(report::Run& run, const std::string& name, const std::vecto
     }
     run.save(figure);
     run.fill(name, table.markdown());
-    return last_error;
+    return profiles;
 }
 
 }  // namespace sph::landau

@@ -24,7 +24,7 @@ void survival(report::Run& run) {
     const auto cases = hard_tubes();
     std::vector<std::string> names;
     for (const auto& [name, scene] : cases) names.push_back(name);
-    report::Survival table{names, false};
+    report::Survival table{names, true, report::Judge{"chow-monaghan", 2}};
     for (const TubeMethod& method : relativistic_methods()) {
         table.contestant(method.name, method.label, runs.size(), [&](std::size_t k, std::size_t r) {
             TubeScene scene = cases[k].second;
@@ -37,6 +37,20 @@ void survival(report::Run& run) {
     table.record(run);
     run.save(table.figure("survival"));
     run.fill("survival", table.table());
+    const auto none = table.all_of("none");
+    run.fill("survival-none", std::to_string(none.finished) + " of " + std::to_string(none.runs));
+    run.fill("survival-none-wrong", std::to_string(none.wrong()));
+    run.claim("survival-none", [&] {
+        for (const char* shock : {"problem 1", "lorentz 20", "cold lorentz 5"}) {
+            if (table.count("none", shock).finished > 0) return false;
+        }
+        return table.count("none", "into a vacuum").passed == runs.size() / 2 &&
+               table.count("none", "apart").passed == runs.size();
+    });
+    run.claim("survival-both", [&] {
+        return table.all_of("reconstructed").passed == table.all_of("reconstructed").runs &&
+               table.all_of("chow-monaghan").passed == table.all_of("chow-monaghan").runs;
+    });
 }
 
 }  // namespace sph::landau

@@ -34,6 +34,7 @@ std::unique_ptr<Integrated<1>> slab_of(const SlabSetup& setup, Resolution resolu
 
 using Build = std::function<std::unique_ptr<Integrated<1>>(const report::Method<Integrated<1>, SlabSetup>&,
                                                            const SlabSetup&)>;
+// [builds]
 const Build fixed = [](const auto& method, const SlabSetup& setup) {
     const double spacing = 2 / static_cast<double>(setup.cells.size() - 1);
     return slab_of(setup, FixedH<K, OfEntropy>{method.h_over_dx * spacing, K{method.kernel}});
@@ -42,6 +43,7 @@ const Build variable = [](const auto& method, const SlabSetup& setup) {
     constexpr double close = 1e-7;  // leaves 1e-14: the energy hangs on h
     return slab_of(setup, ConsistentH<K, OfEntropy>{HRule{method.h_over_dx}, close, K{method.kernel}});
 };
+// [end]
 const Build without_omega = [](const auto& method, const SlabSetup& setup) {
     return slab_of(setup, WithoutOmega<K, OfEntropy>{HRule{method.h_over_dx}, 1e-12, K{method.kernel}});
 };
@@ -51,9 +53,9 @@ const Build without_omega = [](const auto& method, const SlabSetup& setup) {
 const report::Methods<SlabMethod>& slab_methods() {
     static const report::Methods<SlabMethod> methods{
         "narrow-graded",
-        {{{"fixed-4", "fixed $h$ = 4", plot::look_of("fixed-4"), "cubic", 4, {}, fixed}},
-         {{"fixed-10", "fixed $h$ = 10", plot::look_of("fixed-10"), "cubic", 10, {}, fixed}},
-         {{"fixed-20", "fixed $h$ = 20", plot::look_of("fixed-20"), "cubic", 20, {}, fixed}},
+        {{{"fixed-4", "fixed $h$ = 4 d$x$", plot::look_of("fixed-4"), "cubic", 4, {}, fixed}},
+         {{"fixed-10", "fixed $h$ = 10 d$x$", plot::look_of("fixed-10"), "cubic", 10, {}, fixed}},
+         {{"fixed-20", "fixed $h$ = 20 d$x$", plot::look_of("fixed-20"), "cubic", 20, {}, fixed}},
          {{"variable", "$h$ = 2 ν/$s$*", plot::look_of("variable"), "cubic", 2, {}, variable}},
          {{"without-omega",
            "$h$ = 2 ν/$s$*, no grad-h terms",
