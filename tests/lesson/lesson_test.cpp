@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "tests/lesson/not_yet_rewritten.hpp"
 #include "tests/lesson/rules/formulas.hpp"
 #include "tests/lesson/rules/lesson.hpp"
 #include "tests/lesson/rules/pandoc.hpp"
@@ -42,8 +41,8 @@ std::vector<fs::path> texts() {
 }  // namespace
 
 TEST_CASE("a chapter's text keeps the rules of a lesson") {
+    CHECK(chapters().size() > 4);
     for (const auto& [folder, text] : chapters()) {
-        if (lesson::is_not_yet_rewritten(folder)) continue;
         for (const std::string& breach : lesson::breaches(text, folder)) {
             INFO(folder);
             FAIL_CHECK(breach);
@@ -51,26 +50,13 @@ TEST_CASE("a chapter's text keeps the rules of a lesson") {
     }
 }
 
-TEST_CASE("the list of chapters that are not yet rewritten names only such") {
-    const auto texts = chapters();
-    CHECK(texts.size() > 4);
-    for (const std::string_view name : lesson::not_yet_rewritten) {
-        INFO(name);
-        const auto found = texts.find(std::string{name});
-        REQUIRE(found != texts.end());
-        CHECK(!lesson::breaches(found->second, found->first).empty());  // otherwise take it off the list
-    }
-}
-
 TEST_CASE("a lesson's references to equations of other lessons find them") {
     std::map<std::string, std::set<int>> tags;  // of the lessons
     for (const auto& [folder, text] : chapters()) {
-        if (lesson::is_not_yet_rewritten(folder)) continue;
         const lesson::Lesson chapter{text, folder};
         for (const auto& tag : lesson::tags_of(chapter.blocks)) tags[chapter.chapter].insert(tag.number);
     }
     for (const auto& [folder, text] : chapters()) {
-        if (lesson::is_not_yet_rewritten(folder)) continue;
         for (const auto& reference : lesson::references_of(lesson::blocks_of(text))) {
             INFO(folder << "/README.md:" << reference.line);
             INFO("(" << reference.chapter << "." << reference.number << ")");
