@@ -4,6 +4,7 @@
 
 #include "chapters/08_landau_model/scenes/grid.hpp"
 #include "chapters/08_landau_model/scenes/slab.hpp"
+#include "common/exact/landau.hpp"
 #include "common/report/norms.hpp"
 
 using namespace sph;
@@ -60,4 +61,16 @@ TEST_CASE("the grid follows the slab too") {
     const auto profiles = run_grid_slab(400, {2, 10});
     CHECK(profiles[0].l1_s_star < 2e-3);
     CHECK(profiles[1].l1_s_star < 2e-3);
+}
+
+TEST_CASE("the weak discontinuity is where the text has it") {
+    // (8.11); fails if the signs of cosh and sinh are exchanged in either: x off by more than 0.1 at y = 0.5.
+    for (const double y : {0.01, 0.5, 2.0}) {
+        const double growth = std::exp(2 * y / std::sqrt(3.0));
+        const double t = growth * (std::sqrt(3.0) * std::cosh(y) - std::sinh(y));
+        const double x = 1 + growth * (std::sqrt(3.0) * std::sinh(y) - std::cosh(y));
+        const exact::LandauSlab slab{t};
+        CHECK(slab.matching() == Approx(x).epsilon(1e-12));
+        CHECK(slab.at(x).rapidity == Approx(y).epsilon(1e-9));  // measured 1e-13
+    }
 }

@@ -49,8 +49,8 @@ void problem_2(report::Run& run) {
     const auto [least, most] = shell_densities(best.run, scene);
     const double spacings = best.shock.error * relativistic_solution(scene).waves().right.head.v *
                             scene.time * static_cast<double>(best.n);
-    run.fill("p2-least", report::number(least, 2));
-    run.fill("p2-most", report::number(most, 2));
+    run.fill("p2-least", report::fixed(least, 2));
+    run.fill("p2-most", report::fixed(most, 2));
     run.fill("p2-spike", report::number(100 * best.run.wiggle, 2));
     run.fill("p2-ahead", report::number(spacings, 2));
     run.fill("p2-particles", report::number(100 * share_in_shell(best.run, scene), 2));
