@@ -167,6 +167,37 @@ TEST_CASE("what the forms conserve in a run") {
     }
 }
 
+// d rho/dt = 1/Omega_i sum_j m_j v_ij . grad_i W_ij(h_i) (5.12), and P/rho^2 of it heats (5.13). Fails if
+// GradHHeating forgets Omega, or takes h_j.
+TEST_CASE("with own h the heating is P/rho^2 of the rate at which the summed density changes") {
+    Gas<ConsistentH<AnyKernel<2>>, Thermal, Box<2>> gas{
+        64, ConsistentH<AnyKernel<2>>{HRule{1.3}, 1e-12, cubic<2>}, Thermal{IdealGas{1.4}},
+        periodic_unit_box<2>(), 1};
+    fill(gas, 8, 1.3);
+    auto& p = gas.particles;
+    for (double& pressure : p.p) pressure = 0.7;
+    gas.start(0);
+    gas.rates(0);
+    const Column heating = p.du_dt, pressure = p.p, density = p.rho;
+    const auto x = p.x;
+    const auto density_at = [&](double t) {
+        for (std::size_t a = 0; a < 2; ++a) {
+            for (std::size_t i = 0; i < p.size(); ++i) p.x[a][i] = x[a][i] + t * p.v[a][i];
+        }
+        gas.resolve(0);
+        return p.rho;
+    };
+    constexpr double shift = 1e-5;
+    const Column before = density_at(-shift), after = density_at(shift);
+    double error = 0, size = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double rate = (after[i] - before[i]) / (2 * shift);
+        error = std::max(error, std::abs(heating[i] - pressure[i] / square(density[i]) * rate));
+        size = std::max(size, std::abs(heating[i]));
+    }
+    CHECK(error < 1e-6 * size);  // measured 3e-9
+}
+
 // Fails if SharedHeating takes the pressure of i twice: it is then (3.14), and keeps the entropy.
 TEST_CASE("energy equations: a total that stands still, and an entropy that does") {
     const auto at = [](EnergyForm form, double courant) { return run_energies(form, courant, 12, 0.5); };

@@ -1,6 +1,7 @@
 #include "chapters/03_euler_sph/scenes/orbit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "common/plot/looks.hpp"

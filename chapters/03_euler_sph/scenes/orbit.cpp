@@ -1,5 +1,7 @@
 #include "chapters/03_euler_sph/scenes/orbit.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
