@@ -50,7 +50,7 @@ std::vector<std::string> follow(report::Run& run, plot::Figure& figure, const Le
     finest[rule.name] = last;
     return {rule.plain, report::number(rho.back(), 2) + " [" + report::fixed(rate, 1) + "]",
             report::number(last.l2_value, 2),
-            last.net_force < 1e-12 ? "0" : report::number(last.net_force, 1),
+            last.net_force < 1e-12 ? "0" : report::number(last.net_force, 2),
             report::fixed(last.neighbours, 1)};
 }
 
@@ -68,7 +68,7 @@ void smoothing_lengths(report::Run& run) {
     order.labels("particles $N$", "rel. $L$_{2} error of ρ").legend.outside = true;
     const std::vector<std::size_t> sizes = run.quick() ? std::vector<std::size_t>{100, 200, 400}
                                                        : std::vector<std::size_t>{100, 200, 400, 800, 1600};
-    report::Table table{{"smoothing length", "ρ [order]", "A", "net force / sum of sizes", "neighbours"}};
+    report::Table table{{"smoothing length", "ρ [order]", "A", "net force", "neighbours"}};
     std::size_t index = 0;
     std::map<std::string, GradedRun> finest;
     for (const LengthRule& rule : length_rules())
@@ -86,7 +86,7 @@ void smoothing_lengths(report::Run& run) {
     run.claim(
         "gathering-breaks-balance",
         [&] {
-            return finest["own-h"].net_force > 0.05 && finest["mean-h"].net_force < 1e-12 &&
+            return finest["own-h"].net_force > 0.1 && finest["mean-h"].net_force < 1e-12 &&
                    finest["mean-kernel"].net_force < 1e-12;
         },
         needs);

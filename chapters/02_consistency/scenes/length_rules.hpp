@@ -14,7 +14,7 @@ namespace sph::consistency {
 struct GradedRun {
     Column x, rho_error, h;
     double l2_rho = 0, l2_value = 0;
-    double net_force = 0;   ///< |sum of all forces| over the sum of their sizes
+    double net_force = 0;   ///< |sum of the forces on all particles| over the sum of their sizes
     double neighbours = 0;  ///< a particle
 };
 
