@@ -234,14 +234,6 @@ class Watched {
     Totals<1> first_;
 };
 
-}  // namespace
-
-double BurgersScene::dx() const {
-    return length / static_cast<double>(has_particles_at_ends(*this) ? n - 1 : n);
-}
-
-namespace {
-
 void march_through(const BurgersScene& scene, Watched& line) {
     double t = 0;
     for (const double look : scene.looks) {
@@ -251,6 +243,10 @@ void march_through(const BurgersScene& scene, Watched& line) {
 }
 
 }  // namespace
+
+double BurgersScene::dx() const {
+    return length / static_cast<double>(has_particles_at_ends(*this) ? n - 1 : n);
+}
 
 BurgersRun run_burgers(const BurgersScene& scene) {
     BurgersRun run;
@@ -296,23 +292,6 @@ double bytes_of_rows(const BurgersScene& scene) {
     const auto line = held(scene);
     line->line.evaluate();
     return line->line.bytes_of_rows();
-}
-
-report::Quantities BurgersRun::measured() const {
-    report::Quantities all{{"l1_u", errors.back().l1},
-                           {"linf_u", errors.back().linf},
-                           {"worst_linf_u", worst_linf},
-                           {"steps", static_cast<double>(steps)},
-                           {"evaluations", static_cast<double>(evaluations)},
-                           {"crossed", static_cast<double>(crossed)}};
-    if (std::isfinite(relative)) all.push_back({"relative_u", relative});
-    if (first_crossing >= 0) all.push_back({"first_crossing", first_crossing, "time"});
-    if (remeshings > 0) {
-        all.push_back({"remeshings", static_cast<double>(remeshings)});
-        all.push_back({"mass_change", mass_change});
-        all.push_back({"momentum_change", momentum_change});
-    }
-    return all;
 }
 
 }  // namespace sph::fpm

@@ -73,8 +73,8 @@ const report::Methods<PlaneMethod>& plane_methods() {
          method("spiral", "spiral", "spiral", own, spiral, false),
          method("spiral-solved", "spiral, solved", "spiral-solved", own, spiral, true),
          method("spiral-graded", "spiral, solved, graded", "spiral-graded", own, graded, true),
-         method("grad-h", "the last with grad-h terms", "graded", with_omega, graded, true),
-         method("corrected", "the last but one, corrected", "linear", corrected, graded, true)}};
+         method("grad-h", "graded, with grad-h terms", "graded", with_omega, graded, true),
+         method("corrected", "graded, corrected", "linear", corrected, graded, true)}};
     // [end]
     return methods;
 }
