@@ -6,6 +6,7 @@
 #include <map>
 
 #include "chapters/01_kernel_interpolation/kernels.hpp"
+#include "common/plot/looks.hpp"
 #include "common/plot/method_looks.hpp"
 
 namespace sph::interpolation {
@@ -50,6 +51,31 @@ plot::Style told_style(std::size_t index, const std::string& label, bool markers
     if (is_told(names.at(index))) return kernel_style(index, label, markers);
     const auto first = std::find_if_not(names.begin(), names.end(), is_told);
     return plot::rest(names.begin() + static_cast<std::ptrdiff_t>(index) == first ? "other kernels" : "");
+}
+
+plot::Style spot(plot::Colour colour, std::string label, double size) {
+    return {.label = std::move(label), .colour = colour, .marker = plot::Marker::circle, .marker_size = size};
+}
+
+void draw_support(plot::Panel& panel, const Columns<2>& x, std::size_t centre, double reach, bool named) {
+    plot::Values near_x, near_y, far_x, far_y, circle_x, circle_y;
+    for (std::size_t j = 0; j < x[0].size(); ++j) {
+        if (j == centre) continue;
+        const bool inside = std::hypot(x[0][j] - x[0][centre], x[1][j] - x[1][centre]) < reach;
+        (inside ? near_x : far_x).push_back(x[0][j]);
+        (inside ? near_y : far_y).push_back(x[1][j]);
+    }
+    for (const double angle : linear_space(0, 2 * pi, 121)) {
+        circle_x.push_back(x[0][centre] + reach * std::cos(angle));
+        circle_y.push_back(x[1][centre] + reach * std::sin(angle));
+    }
+    const auto label = [&](const char* text) { return std::string{named ? text : ""}; };
+    panel.points(far_x, far_y, spot({0.6, 0.6, 0.6}, label("others"), 4));
+    panel.curve(circle_x, circle_y, {.label = label("support of $i$"), .colour = plot::black, .width = 1});
+    panel.points(near_x, near_y, spot(plot::cycle(0), label("neighbours $j$"), 5));
+    panel.points({x[0][centre]}, {x[1][centre]}, spot(plot::cycle(1), label("particle $i$"), 7));
+    panel.labels("$x$", "$y$").equal_aspect = true;
+    panel.grid = false;
 }
 
 plot::Values linear_space(double low, double high, std::size_t count) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "common/core/vec.hpp"
 #include "common/plot/figure.hpp"
 #include "common/report/chapter.hpp"
 
@@ -16,6 +17,12 @@ plot::Style told_style(std::size_t index, const std::string& label, bool markers
 bool is_told(std::string_view name);
 /// A kernel's name as a label: "cubic spline", "Wendland C2".
 std::string kernel_label(std::string_view name);
+
+/// A filled disc for a particle of a drawing, `size` [points].
+plot::Style spot(plot::Colour colour, std::string label, double size);
+/// Particles of the plane: one of them, the circle of radius `reach` around it, who lies inside, and the
+/// others. `named`: with a legend entry each.
+void draw_support(plot::Panel& panel, const Columns<2>& x, std::size_t centre, double reach, bool named);
 
 /// `count` values from low to high, evenly or in equal ratios (low > 0). count >= 2.
 plot::Values linear_space(double low, double high, std::size_t count);

@@ -13,34 +13,12 @@ namespace {
 
 constexpr double h_over_dx = 1.2, reach_over_h = 2;
 
-plot::Style spot(plot::Colour colour, std::string label, double size) {
-    return {.label = std::move(label), .colour = colour, .marker = plot::Marker::circle, .marker_size = size};
-}
-
 /// Particles in the plane, one of them, its support and its neighbours.
 void draw_plane(plot::Panel& panel, std::uint64_t seed) {
     constexpr std::size_t side = 12, centre = 5 * side + 6;
-    const Columns<2> x = make_points<2>(Arrangement::jittered, side, 0.2, seed);
-    const double reach = reach_over_h * h_over_dx / side;
-    plot::Values near_x, near_y, far_x, far_y, circle_x, circle_y;
-    for (std::size_t j = 0; j < x[0].size(); ++j) {
-        if (j == centre) continue;
-        const bool inside = std::hypot(x[0][j] - x[0][centre], x[1][j] - x[1][centre]) < reach;
-        (inside ? near_x : far_x).push_back(x[0][j]);
-        (inside ? near_y : far_y).push_back(x[1][j]);
-    }
-    for (const double angle : linear_space(0, 2 * pi, 121)) {
-        circle_x.push_back(x[0][centre] + reach * std::cos(angle));
-        circle_y.push_back(x[1][centre] + reach * std::sin(angle));
-    }
-    panel.titled("who is summed").labels("$x$", "$y$").x_range(0, 1).y_range(0, 1);
-    panel.equal_aspect = true;
-    panel.grid = false;
-    panel.points(far_x, far_y, spot({0.6, 0.6, 0.6}, "others", 4));
-    panel.curve(circle_x, circle_y, {.label = "support of $i$", .colour = plot::black, .width = 1});
-    panel.points(near_x, near_y, spot(plot::cycle(0), "neighbours $j$", 5));
-    panel.points({x[0][centre]}, {x[1][centre]}, spot(plot::cycle(1), "particle $i$", 7));
-    panel.legend.outside = true;
+    draw_support(panel, make_points<2>(Arrangement::jittered, side, 0.2, seed), centre,
+                 reach_over_h * h_over_dx / side, true);
+    panel.titled("who is summed").x_range(0, 1).y_range(0, 1).legend.outside = true;
 }
 
 /// Particles on a line, a bump for each, their sum and the function.

@@ -8,34 +8,12 @@
 namespace sph::consistency {
 namespace {
 
-plot::Style spot(plot::Colour colour, std::string label, double size) {
-    return {.label = std::move(label), .colour = colour, .marker = plot::Marker::circle, .marker_size = size};
-}
-
 void draw_plane(plot::Panel& panel, std::uint64_t seed) {
     constexpr std::size_t side = 14, centre = 6 * side;  // in the column nearest to the left edge
-    const Columns<2> x = make_points<2>(Arrangement::jittered, side, 0.2, seed);
-    const double reach = 2.4 / side;
-    plot::Values near_x, near_y, far_x, far_y, circle_x, circle_y;
-    for (std::size_t j = 0; j < x[0].size(); ++j) {
-        if (j == centre) continue;
-        const bool inside = std::hypot(x[0][j] - x[0][centre], x[1][j] - x[1][centre]) < reach;
-        (inside ? near_x : far_x).push_back(x[0][j]);
-        (inside ? near_y : far_y).push_back(x[1][j]);
-    }
-    for (const double angle : linear_space(0, 2 * pi, 121)) {
-        circle_x.push_back(x[0][centre] + reach * std::cos(angle));
-        circle_y.push_back(x[1][centre] + reach * std::sin(angle));
-    }
-    panel.titled("a support that the end has cut").labels("$x$", "$y$");
-    panel.x_range(-0.25, 0.55).y_range(0.1, 0.9);
-    panel.equal_aspect = true;
-    panel.grid = false;
     panel.curve({0, 0}, {0.1, 0.9}, {.colour = plot::black, .width = 1.5});
-    panel.points(far_x, far_y, spot({0.6, 0.6, 0.6}, "", 4));
-    panel.curve(circle_x, circle_y, {.colour = plot::black, .width = 1});
-    panel.points(near_x, near_y, spot(plot::cycle(0), "", 5));
-    panel.points({x[0][centre]}, {x[1][centre]}, spot(plot::cycle(1), "", 7));
+    interpolation::draw_support(panel, make_points<2>(Arrangement::jittered, side, 0.2, seed), centre,
+                                2.4 / side, false);
+    panel.titled("a support that the end has cut").x_range(-0.25, 0.55).y_range(0.1, 0.9);
     panel.note(-0.23, 0.85, "nobody here");
 }
 
